@@ -58,8 +58,9 @@ unit/hmlfc_bise_bits.sv
 unit/hmlfc_disparity_parser.sv
 unit/hmlfc_record_ram.sv
 unit/hmlfc_tile_contexts.sv
+unit/hmlfc_index_reads.sv
+unit/hmlfc_mask_count.sv
 unit/hmlfc_tile_walk.sv
-unit/hmlfc_tile_loader.sv
 unit/hmlfc_tile_fetch.sv
 unit/hmlfc_motion_blocks.sv
 unit/hmlfc_motion_parser.sv

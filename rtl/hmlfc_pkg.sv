@@ -25,10 +25,11 @@ package hmlfc_pkg;
   localparam int READ_RESPONSE_BITS = 4;
   localparam int DESCRIPTOR_BITS = 2 * ADDRESS_BITS + 4 * BLOCK_BITS + 96;
 
-  // What a store keeps (hmlfc_tile_store).
+  // What a store keeps (hmlfc_tile_store), and the bits of what it is told about a tile.
   localparam int RESIDUAL_TILES = 0;
   localparam int MOTION_TILES = 1;     // of predictive images
   localparam int DISPARITY_TILES = 2;  // motion tiles of reference images
+  localparam int TILE_INFO_BITS = 17;
 
   // What a client asks of hmlfc_read_port: whole beats from a beat-aligned address. It holds until `ready`.
   typedef struct packed {

@@ -15,7 +15,6 @@ module hmlfc_decode_unit #(
     parameter int AXI_DATA_BITS = 128,  // 64, 128
     parameter int OUTSTANDING = 32,    // 4..64
     parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
-    parameter int TILE_LOADERS = 4,    // 1..8
     parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
     parameter int TRACE = 1,           // 0..1; 0: nothing is kept for the trace, which is 0
     parameter logic [2:0] AXI_PROT = 3'b010,   // what AxPROT, AxCACHE and AxQOS are: data, not secure, not privileged;
@@ -113,7 +112,6 @@ module hmlfc_decode_unit #(
   if (OUTSTANDING < 4 || OUTSTANDING > 64) $error("OUTSTANDING is 4 to 64");
   if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0)
     $error("TILE_CONTEXTS is a power of two, 2 to 32");
-  if (TILE_LOADERS < 1 || TILE_LOADERS > 8) $error("TILE_LOADERS is 1 to 8");
   if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0)
     $error("CACHE_STRIPS is a power of two, 64 to 1024");
   if (TRACE < 0 || TRACE > 1) $error("TRACE is 0 or 1");
@@ -121,8 +119,7 @@ module hmlfc_decode_unit #(
 
   hmlfc_widths widths ();
 
-  localparam int OTHER_LOADERS = (TILE_LOADERS + 1) / 2;  // of motion tiles, and of disparity tiles
-  localparam int TILE_CLIENTS = TILE_LOADERS + 2 * OTHER_LOADERS;
+  localparam int TILE_CLIENTS = 2;
   localparam int CLIENTS = 1 + TILE_CLIENTS + 2;  // of the read master, the first most urgent
   localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS;
   localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS;
@@ -217,8 +214,7 @@ module hmlfc_decode_unit #(
       .out_ready(tiles_ready), .out_data({tiles_job, tiles_image})
   );
   hmlfc_tile_stores #(
-      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS), .TILE_CONTEXTS(TILE_CONTEXTS),
-      .RESIDUAL_LOADERS(TILE_LOADERS), .OTHER_LOADERS(OTHER_LOADERS)
+      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS), .TILE_CONTEXTS(TILE_CONTEXTS)
   ) tiles (
       .clk, .rst_n, .stream, .flush, .in_valid(tiles_valid), .in_ready(tiles_ready), .in_job(tiles_job),
       .in_image(tiles_image), .disparity_id, .disparity_first_tile, .out_valid(flow_valid), .out_ready(flow_ready),

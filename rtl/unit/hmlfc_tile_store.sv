@@ -5,24 +5,26 @@
 // has for it: its residual and vector, its motion, or the disparity of its grid block.
 //
 // A block asks for its tile first (`ask`) and comes back later, with others in between (`in_*`); the time between hides
-// the walk through the index.
+// the walk through the index. hmlfc_tile_fetch brings the records of what is asked for.
 module hmlfc_tile_store #(
     parameter int KIND = hmlfc_pkg::RESIDUAL_TILES,  // or MOTION_TILES, DISPARITY_TILES
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
     parameter int CONTEXTS = 4,
-    parameter int LOADERS = 1,
+    parameter int CONTEXT_WORDS = 64,  // words of 64 bits for a record and its skew, a power of two
     localparam bit RESIDUALS = KIND == hmlfc_pkg::RESIDUAL_TILES,
     localparam bit MOTIONS = KIND == hmlfc_pkg::MOTION_TILES,
-    localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS,
-    localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
     localparam int CONTEXT_BITS = $clog2(CONTEXTS),
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
     localparam int VALUE_BITS = MAX_DEPTH + 2,
-    localparam int INFO_BITS = RESIDUALS ? 9 : MOTIONS ? 17 : 16
+    localparam int INFO_BITS = RESIDUALS ? 9 : MOTIONS ? 17 : 16,
+    localparam int SKEW_BITS = $clog2(DATA_BITS),
+    localparam int LOAD_BITS = 5 + hmlfc_pkg::TILE_INFO_BITS + TILE_BITS,  // as hmlfc_tile_fetch has them
+    localparam int PARSE_BITS = 5 + hmlfc_pkg::TILE_INFO_BITS + 6 + 1 + SKEW_BITS + POSITION_BITS,
+    localparam int BEAT_BITS = CONTEXT_BITS + $clog2(CONTEXT_WORDS * 64 / DATA_BITS)
 ) (
     input logic clk,
     input logic rst_n,
@@ -48,16 +50,18 @@ module hmlfc_tile_store #(
     output logic out_has_residual,  // 0 but in a store of residuals
     output logic [SAMPLES*VALUE_BITS-1:0] out_residual,
 
-    output logic [LOADERS*READ_REQUEST_BITS-1:0] requests,
-    input logic [LOADERS*READ_RESPONSE_BITS-1:0] responses,
-    input logic [DATA_BITS-1:0] data
+    // Of hmlfc_tile_fetch.
+    output logic load_valid,
+    input logic load_ready,
+    output logic [LOAD_BITS-1:0] load,
+    input logic write,
+    input logic [BEAT_BITS-1:0] write_beat,
+    input logic [DATA_BITS-1:0] data,
+    input logic parse_valid,
+    output logic parse_ready,
+    input logic [PARSE_BITS-1:0] parse
 );
 
-  // The longest record (section 11, bit position in a tile record), with a beat for its skew.
-  localparam int RECORD_BITS = RESIDUALS ? 64 * (SAMPLES * VALUE_BITS + 23) + 4096 :
-      MOTIONS ? 9 + 8 * 32 + 3 * 1024 : 18 + 10 * 1024;
-  localparam int SKEW_BITS = $clog2(DATA_BITS);
-  localparam int CONTEXT_WORDS = 1 << $clog2((RECORD_BITS + DATA_BITS + 63) / 64);
   localparam int PARSER_READS = RESIDUALS ? 2 : 1;  // read ports of the parser; the next one is that of the blocks
   localparam int READS = PARSER_READS + 1;
   localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
@@ -66,57 +70,65 @@ module hmlfc_tile_store #(
   localparam int WINDOW_BITS = BANKS * 64;
   localparam int ENTRY_BITS = 6 + 6 + 4 + 14 + POSITION_BITS;
 
-  logic parse_valid, parse_ready, parse_empty, loaded_valid, loaded_keep, release_valid;
+  logic parse_empty, loaded_valid, loaded_keep, release_valid;
   logic [CONTEXT_BITS-1:0] parse_context, loaded_context, release_context;
   logic [INFO_BITS-1:0] parse_info;
   logic [5:0] parse_error;
   logic [SKEW_BITS-1:0] parse_skew;
   logic [POSITION_BITS-1:0] parse_bits;
+  assign parse_context = parse[PARSE_BITS-5+:CONTEXT_BITS];
+  assign parse_info = parse[SKEW_BITS+POSITION_BITS+7+:INFO_BITS];
+  assign {parse_error, parse_empty, parse_skew, parse_bits} = parse[SKEW_BITS+POSITION_BITS+6:0];
+
+  logic [CONTEXT_BITS-1:0] load_context;
+  logic [INFO_BITS-1:0] load_info;
+  logic [TILE_BITS-1:0] load_tile;
   logic [CONTEXTS-1:0] ready;
+  assign load = {5'(load_context), hmlfc_pkg::TILE_INFO_BITS'(load_info), load_tile};
+  hmlfc_tile_contexts #(
+      .CONTEXTS(CONTEXTS),
+      .INFO_BITS(INFO_BITS)
+  ) contexts (
+      .clk,
+      .rst_n,
+      .flush,
+      .ask,
+      .tile(ask_tile),
+      .info(ask_info),
+      .granted,
+      .context_number(granted_context),
+      .load_valid,
+      .load_ready,
+      .load_context,
+      .load_tile,
+      .load_info,
+      .loaded_valid,
+      .loaded_context,
+      .loaded_keep,
+      .ready,
+      .release_valid,
+      .release_context
+  );
+
   logic [PARSER_READS-1:0] parser_enable;
   logic [PARSER_READS*WORD_BITS-1:0] parser_word;
   logic [PARSER_READS*WINDOW_BITS-1:0] parser_window;
   logic blocks_enable;
   logic [WORD_BITS-1:0] blocks_word;
   logic [WINDOW_BITS-1:0] blocks_window;
-  hmlfc_tile_fetch #(
+  hmlfc_record_ram #(
       .DATA_BITS(DATA_BITS),
-      .CONTEXTS(CONTEXTS),
-      .CONTEXT_WORDS(CONTEXT_WORDS),
-      .LOADERS(LOADERS),
       .BANKS(BANKS),
-      .READS(READS),
-      .INFO_BITS(INFO_BITS)
-  ) fetch (
+      .WORDS(CONTEXTS * CONTEXT_WORDS),
+      .READS(READS)
+  ) records (
       .clk,
-      .rst_n,
-      .stream,
-      .flush,
-      .ask,
-      .ask_tile,
-      .ask_info,
-      .granted,
-      .granted_context,
-      .parse_valid,
-      .parse_ready,
-      .parse_context,
-      .parse_info,
-      .parse_error,
-      .parse_empty,
-      .parse_skew,
-      .parse_bits,
-      .loaded_valid,
-      .loaded_context,
-      .loaded_keep,
-      .ready,
-      .release_valid,
-      .release_context,
+      .write,
+      .write_beat,
+      .write_data(data),
       .read_enable({blocks_enable, parser_enable}),
       .read_word({blocks_word, parser_word}),
-      .window({blocks_window, parser_window}),
-      .requests,
-      .responses,
-      .data
+      .window({blocks_window, parser_window})
   );
 
   if (RESIDUALS) begin : g_residuals

@@ -8,15 +8,12 @@
 //      +-- by tile_ask ---+             +---- disparity_ask --+               +-- by tile_ask
 //
 // Blocks keep their order; the queues hide the time in which requested tiles come from memory. Clients of the read
-// master: loaders of residual, motion and disparity tiles.
+// master: those of hmlfc_tile_fetch.
 module hmlfc_tile_stores #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
     parameter int TILE_CONTEXTS = 16,
-    parameter int RESIDUAL_LOADERS = 1,  // at work at once, of tiles
-    parameter int OTHER_LOADERS = 1,  // of motion, and of disparity tiles
-    localparam int CLIENTS = RESIDUAL_LOADERS + 2 * OTHER_LOADERS,
     localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS,
     localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS,
     localparam int RESIDUAL_BITS = (MAX_DEPTH + 2) << (2 * BLOCK_LOG2)
@@ -40,16 +37,55 @@ module hmlfc_tile_stores #(
     output logic out_has_residual,
     output logic [RESIDUAL_BITS-1:0] out_residual,
 
-    output logic [CLIENTS*READ_REQUEST_BITS-1:0] requests,
-    input logic [CLIENTS*READ_RESPONSE_BITS-1:0] responses,
+    output logic [2*READ_REQUEST_BITS-1:0] requests,
+    input logic [2*READ_RESPONSE_BITS-1:0] responses,
     input logic [DATA_BITS-1:0] data
 );
 
   localparam int FLOW_BITS = hmlfc_pkg::FLOW_BITS;
-  localparam int MOTION_CLIENT = RESIDUAL_LOADERS;
-  localparam int DISPARITY_CLIENT = MOTION_CLIENT + OTHER_LOADERS;
   localparam int MOTION_CONTEXTS = 4;
   localparam int DISPARITY_CONTEXTS = 4;
+
+  // Words of the longest record of a tile (section 11, bit position in a tile record), with a beat for its skew.
+  localparam int RESIDUAL_WORDS = 1 << $clog2((64 * (RESIDUAL_BITS + 23) + 4096 + DATA_BITS + 63) / 64);
+  localparam int MOTION_WORDS = 1 << $clog2((9 + 8 * 32 + 3 * 1024 + DATA_BITS + 63) / 64);
+  localparam int DISPARITY_WORDS = 1 << $clog2((18 + 10 * 1024 + DATA_BITS + 63) / 64);
+  localparam int RESIDUAL_LOG2 = $clog2(RESIDUAL_WORDS * 64 / DATA_BITS);  // of its beats
+  localparam int MOTION_LOG2 = $clog2(MOTION_WORDS * 64 / DATA_BITS);
+  localparam int DISPARITY_LOG2 = $clog2(DISPARITY_WORDS * 64 / DATA_BITS);
+
+  // Stores 0 to 2 are those of residuals, motions and disparities.
+  localparam int LOAD_BITS = 5 + hmlfc_pkg::TILE_INFO_BITS + hmlfc_pkg::TILE_BITS;
+  localparam int PARSE_BITS = 5 + hmlfc_pkg::TILE_INFO_BITS + 7 + $clog2(DATA_BITS) + hmlfc_pkg::POSITION_BITS;
+  logic [2:0] load_valid, load_ready, write, parse_valid, parse_ready;
+  logic [3*LOAD_BITS-1:0] loads;
+  logic [14:0] write_beat;
+  logic [3*PARSE_BITS-1:0] parses;
+  hmlfc_tile_fetch #(
+      .DATA_BITS(DATA_BITS),
+      .CONTEXTS_0(TILE_CONTEXTS),
+      .CONTEXTS_1(MOTION_CONTEXTS),
+      .CONTEXTS_2(DISPARITY_CONTEXTS),
+      .BEATS_LOG2_0(RESIDUAL_LOG2),
+      .BEATS_LOG2_1(MOTION_LOG2),
+      .BEATS_LOG2_2(DISPARITY_LOG2)
+  ) fetch (
+      .clk,
+      .rst_n,
+      .stream,
+      .flush,
+      .load_valid,
+      .load_ready,
+      .loads,
+      .write,
+      .write_beat,
+      .parse_valid,
+      .parse_ready,
+      .parses,
+      .requests,
+      .responses,
+      .data
+  );
 
   logic residual_ask, residual_granted, motion_ask, motion_granted, disparity_ask, disparity_granted;
   logic [hmlfc_pkg::TILE_BITS-1:0] residual_tile, motion_tile, disparity_tile;
@@ -106,7 +142,7 @@ module hmlfc_tile_stores #(
       .BLOCK_LOG2(BLOCK_LOG2),
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(MOTION_CONTEXTS),
-      .LOADERS(OTHER_LOADERS)
+      .CONTEXT_WORDS(MOTION_WORDS)
   ) motions (
       .clk,
       .rst_n,
@@ -127,9 +163,15 @@ module hmlfc_tile_stores #(
       .out_flow(motion_flow),
       .out_has_residual(),
       .out_residual(),
-      .requests(requests[MOTION_CLIENT*READ_REQUEST_BITS+:OTHER_LOADERS*READ_REQUEST_BITS]),
-      .responses(responses[MOTION_CLIENT*READ_RESPONSE_BITS+:OTHER_LOADERS*READ_RESPONSE_BITS]),
-      .data
+      .load_valid(load_valid[1]),
+      .load_ready(load_ready[1]),
+      .load(loads[1*LOAD_BITS+:LOAD_BITS]),
+      .write(write[1]),
+      .write_beat(write_beat[$clog2(MOTION_CONTEXTS)+MOTION_LOG2-1:0]),
+      .data,
+      .parse_valid(parse_valid[1]),
+      .parse_ready(parse_ready[1]),
+      .parse(parses[1*PARSE_BITS+:PARSE_BITS])
   );
 
   logic shared_valid, shared_ready, disparity_in_valid, disparity_in_ready, disparity_valid, disparity_ready;
@@ -176,7 +218,7 @@ module hmlfc_tile_stores #(
       .KIND(hmlfc_pkg::DISPARITY_TILES),
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(DISPARITY_CONTEXTS),
-      .LOADERS(OTHER_LOADERS)
+      .CONTEXT_WORDS(DISPARITY_WORDS)
   ) disparities (
       .clk,
       .rst_n,
@@ -197,9 +239,15 @@ module hmlfc_tile_stores #(
       .out_flow(disparity_flow),
       .out_has_residual(),
       .out_residual(),
-      .requests(requests[DISPARITY_CLIENT*READ_REQUEST_BITS+:OTHER_LOADERS*READ_REQUEST_BITS]),
-      .responses(responses[DISPARITY_CLIENT*READ_RESPONSE_BITS+:OTHER_LOADERS*READ_RESPONSE_BITS]),
-      .data
+      .load_valid(load_valid[2]),
+      .load_ready(load_ready[2]),
+      .load(loads[2*LOAD_BITS+:LOAD_BITS]),
+      .write(write[2]),
+      .write_beat(write_beat[$clog2(DISPARITY_CONTEXTS)+DISPARITY_LOG2-1:0]),
+      .data,
+      .parse_valid(parse_valid[2]),
+      .parse_ready(parse_ready[2]),
+      .parse(parses[2*PARSE_BITS+:PARSE_BITS])
   );
 
   hmlfc_tile_store #(
@@ -208,7 +256,7 @@ module hmlfc_tile_stores #(
       .MAX_DEPTH(MAX_DEPTH),
       .DATA_BITS(DATA_BITS),
       .CONTEXTS(TILE_CONTEXTS),
-      .LOADERS(RESIDUAL_LOADERS)
+      .CONTEXT_WORDS(RESIDUAL_WORDS)
   ) residuals (
       .clk,
       .rst_n,
@@ -229,9 +277,15 @@ module hmlfc_tile_stores #(
       .out_flow,
       .out_has_residual,
       .out_residual,
-      .requests(requests[0+:RESIDUAL_LOADERS*READ_REQUEST_BITS]),
-      .responses(responses[0+:RESIDUAL_LOADERS*READ_RESPONSE_BITS]),
-      .data
+      .load_valid(load_valid[0]),
+      .load_ready(load_ready[0]),
+      .load(loads[0*LOAD_BITS+:LOAD_BITS]),
+      .write(write[0]),
+      .write_beat(write_beat[$clog2(TILE_CONTEXTS)+RESIDUAL_LOG2-1:0]),
+      .data,
+      .parse_valid(parse_valid[0]),
+      .parse_ready(parse_ready[0]),
+      .parse(parses[0*PARSE_BITS+:PARSE_BITS])
   );
 
 endmodule

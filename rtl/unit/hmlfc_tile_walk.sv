@@ -4,18 +4,22 @@
 
 // Walks the index from a tile's number to its record (IDX-3 to IDX-7): three dependent reads at most (BND-1).
 //
-// `start` with `tile` begins a walk when `idle`. `done` is high for one clock when the result holds:
-// `error` is the number of an error of annex A; without one, `empty` says that the tile has no record,
-// else the record's `record_bytes` bytes begin at byte address `record_address`. The result keeps until
-// the next start.
+//   look up -> [WALKS] -> root entry -> [WALKS] -> group record -> [WALKS] -> end table -> out
 //
-// ROOTS root entries and the records of GROUPS tile groups are kept, so that tiles of a tile group seen
-// before cost one read, of the end table; `flush` forgets them. What a bus error brought is not kept.
-// Masking, counting, products, sums and comparisons have a clock each; `step` numbers those between two reads.
+// Walks go in order, and many are on the way: each step asks for what the next one needs, and the walk waits for it in
+// the queue between them. `out_error` is the number of an error of annex A; without one, `out_empty` says that the tile
+// has no record, else the record's `out_bytes` bytes begin at byte address `out_address`.
+//
+// ROOTS root entries and the records of GROUPS tile groups are kept, so that tiles of a tile group seen before cost one
+// read, of the end table. What is kept is decided at the look-up, where tags are written, and put in its place at its
+// step; as both see the walks in the same order, a place holds what its tag said. `flush` forgets all tags, and so does
+// a bus error; that takes as many clocks as there are places, in which no walk begins.
 module hmlfc_tile_walk #(
     parameter int DATA_BITS = 128,
-    parameter int GROUPS = 16,  // tile groups, a power of two
-    parameter int ROOTS = 16,  // root entries, a power of two
+    parameter int INFO_BITS = 8,  // what goes along
+    parameter int WALKS = 16,  // that wait for a step, at most
+    parameter int GROUPS = 256,  // a power of two
+    parameter int ROOTS = 16,  // a power of two, at least GROUPS / 64
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS
 ) (
@@ -24,326 +28,352 @@ module hmlfc_tile_walk #(
     input hmlfc_pkg::config_t stream,
     input logic flush,
 
-    input logic start,
-    input logic [TILE_BITS-1:0] tile,
-    output logic idle,
-    output logic done,
-    output logic [5:0] error,
-    output logic empty,
-    output logic [ADDRESS_BITS-1:0] record_address,
-    output logic [31:0] record_bytes,
+    input logic in_valid,
+    output logic in_ready,
+    input logic [TILE_BITS-1:0] in_tile,
+    input logic [INFO_BITS-1:0] in_info,
+
+    output logic out_valid,
+    input logic out_ready,
+    output logic [INFO_BITS-1:0] out_info,
+    output logic [5:0] out_error,
+    output logic out_empty,
+    output logic [ADDRESS_BITS-1:0] out_address,
+    output logic [31:0] out_bytes,
 
     output hmlfc_pkg::read_request_t request,
     input hmlfc_pkg::read_response_t response,
     input logic [DATA_BITS-1:0] data
 );
 
-
   localparam int GROUP_BITS = TILE_BITS - 6;
   localparam int SLOT_BITS = $clog2(GROUPS);
   localparam int TAG_BITS = GROUP_BITS - SLOT_BITS;
   localparam int ROOT_SLOT_BITS = $clog2(ROOTS);
   localparam int ROOT_TAG_BITS = GROUP_BITS - 6 - ROOT_SLOT_BITS;
+  localparam int PLACE_BITS = 6 + 6 + ROOT_SLOT_BITS;  // of a tile number, that are needed after the look-up
   localparam int NUMBER_BITS = ADDRESS_BITS - 4;  // of group records
+  localparam logic [5:0] BUS_ERROR = 6'(HMLFC_ERROR_BUS_ERROR);
 
-  typedef enum logic [3:0] {
-    IDLE,
-    LOOK_UP,
-    CHOOSE,
-    ROOT,
-    RANK,
-    RECORD,
-    GROUP,
-    ENTRIES,
-    TABLE,
-    EXTENT,
-    PAIR,
-    BOUNDS,
-    FINISH
-  } state_t;
-  state_t state;
-  logic [2:0] step;
-
-  logic [GROUP_BITS-1:0] group;
-  logic [5:0] lane;
-  wire [SLOT_BITS-1:0] slot = group[SLOT_BITS-1:0];
-
-  // Root entries, each of 64 tile groups: {tag, number of the first record, mask}.
-  localparam int ROOT_BITS = ROOT_TAG_BITS + 128;
-  wire [ROOT_SLOT_BITS-1:0] root_slot = group[6+:ROOT_SLOT_BITS];
-  wire [ROOT_TAG_BITS-1:0] root_tag = group[GROUP_BITS-1-:ROOT_TAG_BITS];
-  logic [ROOTS-1:0] root_valid;
-  logic [ROOT_BITS-1:0] kept_root;  // the one in the slot
-  logic kept_root_valid;
-  logic [63:0] root_mask, root_first;
-
-  // Records of tile groups: {tag, there is one, error, offset_bits, data, tile_mask}.
-  localparam int RECORD_BITS = TAG_BITS + 1 + 6 + 6 + 48 + 64;
-  logic [GROUPS-1:0] group_valid;
-  logic [RECORD_BITS-1:0] kept;  // the one in the slot
-  logic kept_valid;
-
-  logic record_there;
-  logic [5:0] record_error;
-  logic [5:0] offset_bits;
-  logic [47:0] table_offset;
-  logic [63:0] tile_mask;
-
-  wire group_hit = kept_valid && kept[RECORD_BITS-1-:TAG_BITS] == group[GROUP_BITS-1:SLOT_BITS];
-  wire root_hit = kept_root_valid && kept_root[ROOT_BITS-1-:ROOT_TAG_BITS] == root_tag;
-
-  logic read_start, read_idle, read_done, read_error;
-  logic [ADDRESS_BITS-1:0] read_address;
-  logic [127:0] bytes;
-  hmlfc_aligned_read #(
-      .DATA_BITS(DATA_BITS)
-  ) read (
+  logic [2:0] ask, ask_ready, come, take, read_error;
+  logic [3*ADDRESS_BITS-1:0] ask_address;
+  logic [3*128-1:0] read_bytes;
+  hmlfc_index_reads #(
+      .DATA_BITS(DATA_BITS),
+      .DEPTH(WALKS)
+  ) reads (
       .clk,
       .rst_n,
-      .start(read_start),
-      .address(read_address),
-      .idle(read_idle),
-      .done(read_done),
-      .bytes,
+      .ask,
+      .ask_ready,
+      .address(ask_address),
+      .valid(come),
+      .take,
+      .bytes(read_bytes),
       .error(read_error),
       .request,
       .response,
       .data
   );
 
-  // The 1 bits of a mask, in three clocks, one mask a clock: all of them, or those below a bit, whose number is rank of
-  // CNV-6.
-  wire of_root = state == RANK || state == RECORD;
-  wire whole = state == ENTRIES && step == 3'd0;
-  wire [63:0] mask = of_root ? root_mask : tile_mask;
-  wire [5:0] place = of_root ? group[5:0] : lane;
-  logic place_set;  // the bit itself, with `counted`
-  logic [63:0] counted;
-  logic [8*4-1:0] counts;
-  logic [6:0] count;
+  // ---- Look-up, two clocks a walk: tags are read, compared and written.
+  wire [GROUP_BITS-1:0] in_group = in_tile[TILE_BITS-1:6];
+  wire [SLOT_BITS-1:0] in_slot = in_group[SLOT_BITS-1:0];
+  wire [ROOT_SLOT_BITS-1:0] in_root_slot = in_group[6+:ROOT_SLOT_BITS];
+  wire [TAG_BITS-1:0] in_tag = in_group[GROUP_BITS-1:SLOT_BITS];
+  wire [ROOT_TAG_BITS-1:0] in_root_tag = in_group[GROUP_BITS-1-:ROOT_TAG_BITS];
+  logic looking, forget, forgets, root_ready;
+  logic [SLOT_BITS-1:0] forgotten;
+  logic kept_valid, kept_root_valid;
+  logic [TAG_BITS-1:0] kept_tag;
+  logic [ROOT_TAG_BITS-1:0] kept_root_tag;
+  wire group_hit = kept_valid && kept_tag == in_tag;
+  wire root_hit = group_hit || (kept_root_valid && kept_root_tag == in_root_tag);
+  assign in_ready = looking && root_ready && (root_hit || ask_ready[0]);
+  assign ask[0] = looking && root_ready && !root_hit;
+  assign ask_address[0+:ADDRESS_BITS] = stream.root_address + (ADDRESS_BITS'(in_group[GROUP_BITS-1:6]) << 4);
   always_ff @(posedge clk) begin
-    place_set <= mask[place];
-    counted <= whole ? mask : mask & ~(64'hFFFF_FFFF_FFFF_FFFF << place);
-    for (int i = 0; i < 8; i++) begin
-      counts[i*4+:4] <= ((4'(counted[i*8]) + 4'(counted[i*8+1])) + (4'(counted[i*8+2]) + 4'(counted[i*8+3]))) +
-          ((4'(counted[i*8+4]) + 4'(counted[i*8+5])) + (4'(counted[i*8+6]) + 4'(counted[i*8+7])));
-    end
-    count <= ((7'(counts[0+:4]) + 7'(counts[4+:4])) + (7'(counts[8+:4]) + 7'(counts[12+:4]))) +
-        ((7'(counts[16+:4]) + 7'(counts[20+:4])) + (7'(counts[24+:4]) + 7'(counts[28+:4])));
+    looking <= rst_n && in_valid && !forgets && !in_ready;
+    forgets <= !rst_n || flush || forget || (forgets && forgotten != SLOT_BITS'(GROUPS - 1));
+    forgotten <= !rst_n || flush || forget ? '0 : forgotten + 1'b1;
   end
-
-  // IDX-4: the number of the tile group's record. root_first may be any 64-bit number; above NUMBER_BITS it is outside.
-  logic [NUMBER_BITS:0] number;
-  logic number_outside;
-
-  // IDX-6: the end table and the two entries that bound the record, or the one, for the first.
-  logic first;
-  wire [6:0] first_entry = count == 7'd0 ? 7'd0 : count - 7'd1;
-  logic [12:0] product;  // of a number of entries and offset_bits
-  logic [8:0] table_bytes;
-  logic [48:0] records_offset;
-  logic table_outside;
-  logic [2:0] pair_shift;
-  logic [ADDRESS_BITS-1:0] pair_offset;
-  logic [70:0] pair;
-  logic [5:0] pair_left;  // bits by which it is still to be shifted, by 8 or less a clock
-  logic second;  // pair begins with the second entry
-  wire [31:0] entry_mask = ~(32'hFFFF_FFFF << offset_bits);
-  wire [31:0] entry_field = pair[31:0] & entry_mask;
-  logic [31:0] begin_offset, end_offset;
-  logic [49:0] end_at;
-  logic [ADDRESS_BITS-1:0] begin_at;
-  logic none;
-
-  assign idle = state == IDLE;
-  wire record_usable = record_there && record_error == 0;
-
-  // What the state needs to read.
-  always_comb begin
-    read_start = 1'b0;
-    read_address = stream.tile_address + pair_offset;
-    unique case (state)
-      CHOOSE: begin
-        read_start = read_idle && !group_hit && !root_hit;
-        read_address = stream.root_address + ({{(ADDRESS_BITS - GROUP_BITS) {1'b0}}, group} >> 6 << 4);
-      end
-      RECORD: begin
-        read_start = read_idle && place_set && !number_outside;
-        read_address = stream.group_address + {number[NUMBER_BITS-1:0], 4'd0};
-      end
-      TABLE: read_start = read_idle && record_usable && place_set && !table_outside;
-      default: ;
-    endcase
-  end
-
-  wire looks_up = state == LOOK_UP;
-  wire keeps_root = state == ROOT && read_done;
-  wire keeps_record = state == TABLE;
   hmlfc_ram #(
-      .WIDTH(ROOT_BITS),
+      .WIDTH(1 + TAG_BITS),
+      .DEPTH(GROUPS)
+  ) group_tags (
+      .clk,
+      .write(forgets || in_ready),
+      .write_address(forgets ? forgotten : in_slot),
+      .write_data({!forgets, in_tag}),
+      .read(!looking),
+      .read_address(in_slot),
+      .read_data({kept_valid, kept_tag})
+  );
+  hmlfc_ram #(
+      .WIDTH(1 + ROOT_TAG_BITS),
+      .DEPTH(ROOTS)
+  ) root_tags (
+      .clk,
+      .write(forgets || (in_ready && !root_hit)),
+      .write_address(forgets ? forgotten[ROOT_SLOT_BITS-1:0] : in_root_slot),
+      .write_data({!forgets, in_root_tag}),
+      .read(!looking),
+      .read_address(in_root_slot),
+      .read_data({kept_root_valid, kept_root_tag})
+  );
+
+  // ---- Root entry: one clock where the group's record is kept, else seven.
+  logic root_valid, root_take, root_group_hit, root_read;
+  logic [PLACE_BITS-1:0] root_tile;
+  logic [INFO_BITS-1:0] root_info;
+  wire [ROOT_SLOT_BITS-1:0] root_slot = root_tile[12+:ROOT_SLOT_BITS];
+  hmlfc_fifo #(
+      .WIDTH(INFO_BITS + PLACE_BITS + 2),
+      .DEPTH(WALKS)
+  ) to_root (
+      .clk,
+      .rst_n,
+      .in_valid(in_ready),
+      .in_ready(root_ready),
+      .in_data({in_info, in_tile[PLACE_BITS-1:0], group_hit, !root_hit}),
+      .out_valid(root_valid),
+      .out_ready(root_take),
+      .out_data({root_info, root_tile, root_group_hit, root_read}),
+      .count()
+  );
+  logic [2:0] root_step;
+  logic [128:0] kept_root;  // {a bus error, number of the first record, mask}
+  wire [128:0] root = root_read ? {read_error[0], read_bytes[0+:128]} : kept_root;
+  wire root_comes = root_valid && !root_group_hit && (!root_read || come[0]);
+  wire keeps_root = root_step == 3'd1 && root_read;
+  hmlfc_ram #(
+      .WIDTH(129),
       .DEPTH(ROOTS)
   ) root_entries (
       .clk,
       .write(keeps_root),
       .write_address(root_slot),
-      .write_data({root_tag, bytes}),
-      .read(looks_up),
+      .write_data(root),
+      .read(root_step == 3'd0),
       .read_address(root_slot),
       .read_data(kept_root)
   );
+  logic [6:0] root_rank;
+  hmlfc_mask_count root_count (
+      .clk,
+      .advance(1'b1),
+      .mask(root[63:0]),
+      .all(1'b0),
+      .place(root_tile[11:6]),
+      .count(root_rank)
+  );
+  // IDX-4: the number of the tile group's record. The first one may be any 64-bit number; above NUMBER_BITS it is
+  // outside.
+  logic [NUMBER_BITS:0] number;
+  logic there, outside, group_ready;
+  wire needs_group = there && !outside && !root[128];
+  wire root_ends = root_step == 3'd6 && group_ready && (!needs_group || ask_ready[1]);
+  assign ask[1] = root_step == 3'd6 && group_ready && needs_group;
+  assign ask_address[ADDRESS_BITS+:ADDRESS_BITS] = stream.group_address + {number[NUMBER_BITS-1:0], 4'd0};
+  assign root_take = root_ends || (root_valid && root_group_hit && group_ready);
+  assign take[0] = root_ends && root_read;
+  always_ff @(posedge clk) begin
+    there <= root[{2'd0, root_tile[11:6]}];
+    number <= (NUMBER_BITS + 1)'(root[64+:NUMBER_BITS]) + (NUMBER_BITS + 1)'(root_rank);
+    outside <= root[127:64+NUMBER_BITS] != 0 || number >= (NUMBER_BITS + 1)'(stream.group_records);
+    if (root_step == 3'd0 ? root_comes : root_step != 3'd6) root_step <= root_step + 1'b1;
+    if (root_ends || !rst_n) root_step <= '0;
+  end
+
+  // ---- Group record: a pipeline. 0: it has come, and the one in its place is read.
+  logic group_valid, group_take, was_kept, group_asked, group_outside, root_failed;
+  logic [SLOT_BITS+5:0] group_tile;
+  logic [INFO_BITS-1:0] group_info;
+  hmlfc_fifo #(
+      .WIDTH(INFO_BITS + 6 + SLOT_BITS + 4),
+      .DEPTH(WALKS)
+  ) to_group (
+      .clk,
+      .rst_n,
+      .in_valid(root_take),
+      .in_ready(group_ready),
+      .in_data({root_info, root_tile[SLOT_BITS+5:0], root_group_hit, ask[1], there && outside, root[128]}),
+      .out_valid(group_valid),
+      .out_ready(group_take),
+      .out_data({group_info, group_tile, was_kept, group_asked, group_outside, root_failed}),
+      .count()
+  );
+  wire [SLOT_BITS-1:0] group_slot = group_tile[6+:SLOT_BITS];
+  localparam int STAGES = 8;
+  logic [STAGES:1] valid;
+  logic table_ready;
+  wire needs_table;
+  wire advance = !valid[STAGES] || (table_ready && (!needs_table || ask_ready[2]));
+  // What stage 1 writes is not read in the same clock.
+  logic keeps_group, group_failed;
+  logic [SLOT_BITS-1:0] slot_1;
+  wire enter = group_valid && (!group_asked || come[1]) && !(keeps_group && group_slot == slot_1);
+  assign group_take = advance && enter;
+  assign take[1] = group_take && group_asked;
+
+  // 1: {there is one, error, offset_bits, data, tile_mask}.
+  localparam int RECORD_BITS = 1 + 6 + 6 + 48 + 64;
+  logic was_kept_1, asked_1, outside_1, root_failed_1;
+  logic [5:0] lane_1;
+  logic [128:0] bytes_1;
+  logic [RECORD_BITS-1:0] kept_record, new_record;
+  wire bad_record = bytes_1[127:120] != 0 || bytes_1[119:112] == 0 || bytes_1[119:112] > 8'd32;
+  assign group_failed = root_failed_1 || (asked_1 && bytes_1[128]);
+  wire [5:0] new_error = group_failed ? BUS_ERROR : outside_1 ? 6'(HMLFC_ERROR_BAD_ROOT_ENTRY) :
+      asked_1 && bad_record ? 6'(HMLFC_ERROR_BAD_GROUP_RECORD) : 6'd0;
+  assign new_record = {asked_1 || outside_1 || root_failed_1, new_error, bytes_1[117:112], bytes_1[111:0]};
+  assign keeps_group = valid[1] && !was_kept_1 && advance;
+  assign forget = keeps_group && group_failed;
   hmlfc_ram #(
       .WIDTH(RECORD_BITS),
       .DEPTH(GROUPS)
   ) group_records (
       .clk,
-      .write(keeps_record),
-      .write_address(slot),
-      .write_data({group[GROUP_BITS-1:SLOT_BITS], record_there, record_error, offset_bits, table_offset, tile_mask}),
-      .read(looks_up),
-      .read_address(slot),
-      .read_data(kept)
+      .write(keeps_group),
+      .write_address(slot_1),
+      .write_data(new_record),
+      .read(advance),
+      .read_address(group_slot),
+      .read_data(kept_record)
   );
 
+  // 2: the record. 3 to 5: how many entries its end table has, and how many are below the tile's.
+  logic [RECORD_BITS-1:0] record_2;
+  logic [5:0] lane_2;
+  logic [6:0] entries, below;
+  hmlfc_mask_count count_all (
+      .clk,
+      .advance,
+      .mask(record_2[63:0]),
+      .all(1'b1),
+      .place(lane_2),
+      .count(entries)
+  );
+  hmlfc_mask_count count_below (
+      .clk,
+      .advance,
+      .mask(record_2[63:0]),
+      .all(1'b0),
+      .place(lane_2),
+      .count(below)
+  );
+  // What goes along from stage 3 on: {info, there is one, the tile has an entry, error, offset_bits, data}.
+  localparam int CARRY_BITS = INFO_BITS + 2 + 6 + 6 + 48;
+  logic [2*INFO_BITS-1:0] infos;
+  logic [(STAGES-2)*CARRY_BITS-1:0] carries;
+  wire [CARRY_BITS-INFO_BITS-1:0] carry_2 = {record_2[RECORD_BITS-1], record_2[{1'b0, lane_2}], record_2[RECORD_BITS-2:64]};
+
+  // 6: sizes of the table and of what of it lies before the entry before the tile's. 7: where the records begin, and
+  // the two entries that bound the tile's, or the one, for the first. 8: whether the table lies in the section.
+  wire [5:0] offset_bits_5 = carries[2*CARRY_BITS+48+:6];
+  wire [47:0] table_6 = carries[3*CARRY_BITS+:48];
+  logic [12:0] table_bits_6, before_6;
+  logic first_6, first_7, first_8;
+  logic [48:0] records_7, records_8;
+  logic [ADDRESS_BITS-1:0] pair_7, pair_8;
+  logic [2:0] shift_7, shift_8;
+  logic table_outside;
+  logic [1:0] flags_8;
+  logic [5:0] error_8, offset_bits_8;
   always_ff @(posedge clk) begin
-    done <= 1'b0;
-    step <= step + 1'b1;
-    unique case (state)
-      IDLE:
-      if (start) begin
-        group <= tile[TILE_BITS-1:6];
-        lane <= tile[5:0];
-        error <= '0;
-        empty <= 1'b0;
-        state <= LOOK_UP;
-      end
-      LOOK_UP: begin
-        kept_valid <= group_valid[slot];
-        kept_root_valid <= root_valid[root_slot];
-        state <= CHOOSE;
-      end
-      CHOOSE: begin
-        {record_there, record_error, offset_bits, table_offset, tile_mask} <= kept[RECORD_BITS-TAG_BITS-1:0];
-        {root_first, root_mask} <= kept_root[127:0];
-        step <= '0;
-        if (group_hit) state <= ENTRIES;
-        else if (root_hit) state <= RANK;
-        else if (read_start) state <= ROOT;
-      end
-      ROOT:
-      if (read_done) begin
-        root_valid[root_slot] <= !read_error;
-        {root_first, root_mask} <= bytes;
-        step <= '0;
-        state <= RANK;
-        if (read_error) begin
-          error <= 6'(HMLFC_ERROR_BUS_ERROR);
-          done <= 1'b1;
-          state <= IDLE;
-        end
-      end
-      RANK: begin
-        if (step == 3'd3) number <= (NUMBER_BITS + 1)'(root_first[NUMBER_BITS-1:0]) + (NUMBER_BITS + 1)'(count);
-        if (step == 3'd4) begin
-          number_outside <= root_first[63:NUMBER_BITS] != 0 || number >= (NUMBER_BITS + 1)'(stream.group_records);
-          state <= RECORD;
-        end
-      end
-      RECORD: begin
-        record_there <= place_set;
-        record_error <= number_outside ? 6'(HMLFC_ERROR_BAD_ROOT_ENTRY) : 6'd0;
-        if (read_start) state <= GROUP;
-        else if (read_idle) state <= TABLE;
-      end
-      GROUP:
-      if (read_done) begin
-        tile_mask <= bytes[63:0];
-        table_offset <= bytes[111:64];
-        offset_bits <= bytes[117:112];
-        if (bytes[127:120] != 0 || bytes[119:112] == 0 || bytes[119:112] > 8'd32) begin
-          record_error <= 6'(HMLFC_ERROR_BAD_GROUP_RECORD);
-        end
-        step <= '0;
-        state <= ENTRIES;
-        if (read_error) begin
-          error <= 6'(HMLFC_ERROR_BUS_ERROR);
-          done <= 1'b1;
-          state <= IDLE;
-        end
-      end
-      ENTRIES: begin  // first all entries, a clock later those below the tile's
-        product <= (step == 3'd3 ? 13'(count) : 13'(first_entry)) * 13'(offset_bits);
-        unique case (step)
-          3'd4: begin
-            table_bytes <= 9'((product + 13'd7) >> 3);
-            first <= count == 7'd0;
-          end
-          3'd5: begin
-            records_offset <= 49'(table_offset) + 49'(table_bytes);
-            pair_offset <= ADDRESS_BITS'(table_offset) + ADDRESS_BITS'(product[12:3]);
-            pair_shift <= product[2:0];
-          end
-          3'd6: begin
-            table_outside <= records_offset > 49'(stream.tile_bytes);
-            state <= TABLE;
-          end
-          default: ;
-        endcase
-        if (!record_usable) state <= TABLE;
-      end
-      TABLE: begin
-        group_valid[slot] <= 1'b1;
-        if (read_start) begin
-          state <= EXTENT;
-        end else if (read_idle) begin
-          if (record_there && record_error != 0) error <= record_error;
-          else if (record_there && place_set) error <= 6'(HMLFC_ERROR_BAD_GROUP_RECORD);
-          else empty <= 1'b1;
-          done <= 1'b1;
-          state <= IDLE;
-        end
-      end
-      EXTENT:
-      if (read_done) begin
-        pair <= bytes[70:0];
-        pair_left <= 6'(pair_shift);
-        second <= 1'b0;
-        if (read_error) error <= 6'(HMLFC_ERROR_BUS_ERROR);
-        state <= PAIR;
-      end
-      PAIR: begin
-        pair <= pair_left[5:3] != 0 ? pair >> 8 : pair >> pair_left[2:0];
-        pair_left <= pair_left[5:3] != 0 ? pair_left - 6'd8 : '0;
-        if (pair_left == 0) begin
-          second <= 1'b1;
-          pair_left <= offset_bits;
-          begin_offset <= second ? end_offset : 32'd0;
-          end_offset <= entry_field;
-          if (first || second) state <= BOUNDS;
-        end
-      end
-      BOUNDS: begin
-        none <= end_offset <= begin_offset;
-        end_at <= 50'(records_offset) + 50'(end_offset);
-        begin_at <= ADDRESS_BITS'(records_offset) + ADDRESS_BITS'(begin_offset);
-        record_bytes <= end_offset - begin_offset;
-        state <= FINISH;
-      end
-      default: begin  // FINISH
-        if (error == 0 && (none || end_at > 50'(stream.tile_bytes))) error <= 6'(HMLFC_ERROR_BAD_TILE_OFFSET);
-        record_address <= stream.tile_address + begin_at;
-        done <= 1'b1;
-        state <= IDLE;
-      end
-    endcase
-    if (!rst_n) begin
-      state <= IDLE;
-      done <= 1'b0;
+    if (advance) begin
+      valid <= {valid[STAGES-1:1], enter};
+      {was_kept_1, asked_1, outside_1, root_failed_1} <= {was_kept, group_asked, group_outside, root_failed};
+      slot_1 <= group_slot;
+      {lane_2, lane_1} <= {lane_1, group_tile[5:0]};
+      bytes_1 <= {read_error[1], read_bytes[128+:128]};
+      record_2 <= was_kept_1 ? kept_record : new_record;
+      infos <= {infos[INFO_BITS-1:0], group_info};
+      carries <= {carries[(STAGES-3)*CARRY_BITS-1:0], infos[INFO_BITS+:INFO_BITS], carry_2};
+      table_bits_6 <= 13'(entries) * 13'(offset_bits_5) + 13'd7;
+      before_6 <= (below == 7'd0 ? 13'd0 : 13'(below) - 13'd1) * 13'(offset_bits_5);
+      first_6 <= below == 7'd0;
+      records_7 <= 49'(table_6) + 49'(table_bits_6[12:3]);
+      pair_7 <= ADDRESS_BITS'(table_6) + ADDRESS_BITS'(before_6[12:3]);
+      {shift_7, first_7} <= {before_6[2:0], first_6};
+      {records_8, shift_8, first_8} <= {records_7, shift_7, first_7};
+      pair_8 <= stream.tile_address + pair_7;
+      table_outside <= records_7 > 49'(stream.tile_bytes);
     end
-    if (!rst_n || flush) begin
-      root_valid <= '0;
-      group_valid <= '0;
-    end
+    if (!rst_n) valid <= '0;
   end
+  assign {flags_8, error_8, offset_bits_8} = carries[(STAGES-3)*CARRY_BITS+48+:14];
+  wire [INFO_BITS-1:0] info_8 = carries[(STAGES-2)*CARRY_BITS-1-:INFO_BITS];
+  assign needs_table = flags_8 == 2'b11 && error_8 == 0 && !table_outside;
+  wire [5:0] group_error = !flags_8[1] ? 6'd0 : error_8 != 0 ? error_8 :
+      flags_8[0] && table_outside ? 6'(HMLFC_ERROR_BAD_GROUP_RECORD) : 6'd0;
+  assign ask[2] = valid[STAGES] && table_ready && needs_table;
+  assign ask_address[2*ADDRESS_BITS+:ADDRESS_BITS] = pair_8;
+
+  // ---- End table: a pipeline of four clocks. 1: bits from the first of both entries on.
+  logic bound_valid, bound_asked, bound_first;
+  logic [4:1] bounds;  // valid
+  wire bound_advance = !bounds[4] || out_ready;
+  wire bound_enter = bound_valid && (!bound_asked || come[2]);
+  assign take[2] = bound_advance && bound_enter && bound_asked;
+  logic [INFO_BITS-1:0] bound_info;
+  logic [5:0] bound_error, bound_offset_bits;
+  logic [48:0] bound_records;
+  logic [2:0] bound_shift;
+  hmlfc_fifo #(
+      .WIDTH(INFO_BITS + 6 + 1 + 6 + 49 + 3 + 1),
+      .DEPTH(WALKS)
+  ) to_table (
+      .clk,
+      .rst_n,
+      .in_valid(valid[STAGES] && (!needs_table || ask_ready[2])),
+      .in_ready(table_ready),
+      .in_data({info_8, group_error, needs_table, offset_bits_8, records_8, shift_8, first_8}),
+      .out_valid(bound_valid),
+      .out_ready(bound_advance && bound_enter),
+      .out_data({bound_info, bound_error, bound_asked, bound_offset_bits, bound_records, bound_shift, bound_first}),
+      .count()
+  );
+  localparam int BOUND_BITS = INFO_BITS + 6 + 1 + 49;
+  logic [3*BOUND_BITS-1:0] bound_carries;
+  logic [70:0] pair_1;
+  logic [5:0] width_1;
+  logic first_1, first_2, none;
+  logic [38:0] pair_2;
+  logic [2:0] left_2;
+  logic [31:0] field_2, mask_2, begin_3, end_3;
+  logic [49:0] end_at;
+  wire [31:0] mask_1 = ~(32'hFFFF_FFFF << width_1);
+  wire [48:0] records_3 = bound_carries[2*BOUND_BITS+:49];
+  wire [5:0] table_error = bound_asked && read_error[2] ? BUS_ERROR : bound_error;
+  logic has_record_4;
+  logic [5:0] error_4;
+  always_ff @(posedge clk) begin
+    if (bound_advance) begin
+      bounds <= {bounds[3:1], bound_enter};
+      bound_carries <= {bound_carries[2*BOUND_BITS-1:0], bound_info, table_error, bound_asked, bound_records};
+      pair_1 <= 71'(read_bytes[2*128+:78] >> bound_shift);
+      {width_1, first_1} <= {bound_offset_bits, bound_first};
+      // 2, 3: the entries.
+      field_2 <= pair_1[31:0] & mask_1;
+      mask_2 <= mask_1;
+      pair_2 <= 39'(pair_1 >> {width_1[5:3], 3'd0});
+      {left_2, first_2} <= {width_1[2:0], first_1};
+      begin_3 <= first_2 ? 32'd0 : field_2;
+      end_3 <= first_2 ? field_2 : 32'(pair_2 >> left_2) & mask_2;
+      // 4: the record.
+      none <= end_3 <= begin_3;
+      end_at <= 50'(records_3) + 50'(end_3);
+      out_address <= stream.tile_address + ADDRESS_BITS'(records_3) + ADDRESS_BITS'(begin_3);
+      out_bytes <= end_3 - begin_3;
+      {out_info, error_4, has_record_4} <= bound_carries[3*BOUND_BITS-1-:INFO_BITS+7];
+    end
+    if (!rst_n) bounds <= '0;
+  end
+  assign out_valid = bounds[4];
+  assign out_error = error_4 != 0 || !has_record_4 ? error_4 :
+      none || end_at > 50'(stream.tile_bytes) ? 6'(HMLFC_ERROR_BAD_TILE_OFFSET) : 6'd0;
+  assign out_empty = error_4 == 0 && !has_record_4;
 
 endmodule
 

@@ -12,7 +12,6 @@ module hmlfc_view_unit #(
     parameter int AXI_DATA_BITS = 128,
     parameter int OUTSTANDING = 32,
     parameter int TILE_CONTEXTS = 16,
-    parameter int TILE_LOADERS = 4,
     parameter int CACHE_STRIPS = 512,
     parameter int TRACE = 1,
     parameter logic [2:0] AXI_PROT = 3'b010,
@@ -150,7 +149,7 @@ module hmlfc_view_unit #(
   logic unit_active, dma_busy;
   hmlfc_decode_unit #(
       .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .AXI_DATA_BITS(AXI_DATA_BITS), .OUTSTANDING(OUTSTANDING),
-      .TILE_CONTEXTS(TILE_CONTEXTS), .TILE_LOADERS(TILE_LOADERS), .CACHE_STRIPS(CACHE_STRIPS), .TRACE(TRACE),
+      .TILE_CONTEXTS(TILE_CONTEXTS), .CACHE_STRIPS(CACHE_STRIPS), .TRACE(TRACE),
       .AXI_PROT(AXI_PROT), .AXI_CACHE(AXI_CACHE), .AXI_QOS(AXI_QOS)
   ) unit (
       .clk, .rst_n(unit_rst_n), .s_request_tvalid(request_tvalid), .s_request_tready(request_tready),

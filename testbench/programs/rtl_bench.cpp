@@ -25,7 +25,7 @@ samples; every answer and every stage is compared with the model, and a differen
           clock: lines of 64 bytes, 8 banks with rows of 2 KiB, 20 clocks to a line and 6 more where
           its row has to be opened; random is over 81 views
   alone   one request at a time, the first after a LOAD (cold), and the same again (warm)
-`levels` is blocks of a level a clock of all units, `clocks` and `bytes` are for a request, `busy` is
+`levels` is blocks of a level a clock of all units, `pixels` pixels a clock, `clocks` and `bytes` are for a request, `busy` is
 the share of clocks in which the memory's bus carries data, or the lines that they are of, and `row_hits`
 in JSON the share of lines whose row was open. A unit takes a beat of 128 bits a clock. The bytes of a request are also given by what they are of: entries of ROOT,
 records of GROUP, records of tiles, strips of luma and of chroma; `again` are the bytes of beats that
@@ -39,6 +39,7 @@ struct Options {
 };
 
 std::string traffic_text(const Json& rows) {
+  if (rows.empty()) return "";
   std::string text = fmt::format("  {:<26}", "bytes of a request");
   for (const auto& [part, bytes] : rows.at(0).at("traffic").items()) {
     text += fmt::format(" {:>7}", part);
@@ -55,14 +56,17 @@ std::string traffic_text(const Json& rows) {
 std::string to_text(const Json& streams) {
   std::string text;
   for (const Json& stream : streams) {
-    text += fmt::format("{:<28} {:>7} {:>8} {:>8} {:>6}\n", stream["stream"].get<std::string>(),
-                        "levels", "clocks", "bytes", "busy");
+    text +=
+        fmt::format("{:<28} {:>7} {:>7} {:>8} {:>8} {:>6}\n", stream["stream"].get<std::string>(),
+                    "levels", "pixels", "clocks", "bytes", "busy");
     for (const Json& row : stream["throughput"]) {
-      text += fmt::format("  {:<26} {:>7.3f} {:>8.1f} {:>8.1f} {:>5.0f}%\n",
-                          row["name"].get<std::string>(), double{row["levels"]},
-                          double{row["clocks"]}, double{row["bytes"]}, 100 * double{row["busy"]});
+      text +=
+          fmt::format("  {:<26} {:>7.3f} {:>7.2f} {:>8.1f} {:>8.1f} {:>5.0f}%\n",
+                      row["name"].get<std::string>(), double{row["levels"]}, double{row["pixels"]},
+                      double{row["clocks"]}, double{row["bytes"]}, 100 * double{row["busy"]});
     }
     text += traffic_text(stream["throughput"]);
+    if (stream["alone"].empty()) continue;
     text += fmt::format("  {:<26} {:>7} {:>8} {:>8}\n", "alone, latency 20", "p50", "p99", "max");
     for (const Json& row : stream["alone"]) {
       text += fmt::format("  {:<26} {:>7} {:>8} {:>8}\n", row["name"].get<std::string>(),
@@ -157,6 +161,9 @@ Command add_bench(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--seed", o.size.seed, "Seed of everything random")->capture_default_str();
+  app.add_option("--only", o.size.only, "Only rows of throughput whose name has one of these")
+      ->take_all()
+      ->type_name("TEXT");
   app.add_flag("--json", o.json, "Print JSON");
   app.add_option("--compare", o.before,
                  "What --json printed before: also print the rows whose clocks changed");

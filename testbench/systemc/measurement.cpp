@@ -25,6 +25,12 @@ RequestSource at_most(uint64_t count, RequestSource source) {
   };
 }
 
+bool is_asked(const MeasurementSize& size, const std::string& name) {
+  return size.only.empty() || std::ranges::any_of(size.only, [&](const std::string& part) {
+           return name.find(part) != std::string::npos;
+         });
+}
+
 std::vector<ThroughputRow> all_rows(size_t most_units) {
   std::vector<ThroughputRow> rows;
   for (const unsigned latency : kLatencies) {
@@ -72,10 +78,11 @@ Measurement::Measurement(const std::vector<std::unique_ptr<Bench>>& benches, con
 
 Json Measurement::run() {
   if (image_.golden() == nullptr) return {};
+  report_ = {{"throughput", Json::array()}, {"alone", Json::array()}};
   for (const ThroughputRow& row : all_rows(benches_.size())) {
-    if (!throughput(row)) return {};
+    if (is_asked(size_, row.name) && !throughput(row)) return {};
   }
-  return alone() ? report_ : Json{};
+  return !size_.only.empty() || alone() ? report_ : Json{};
 }
 
 const Mismatch* Measurement::finding() const {
@@ -146,6 +153,8 @@ bool Measurement::throughput(const ThroughputRow& row) {
       dram ? static_cast<double>(dram->busy_clocks()) : bytes / maker_.parameters.beat_bytes;
   Json result{{"name", row.name},
               {"levels", records / clocks},
+              {"pixels",
+               answers * maker_.parameters.block_size() * maker_.parameters.block_size() / clocks},
               {"clocks", clocks / answers},
               {"bytes", bytes / answers},
               {"busy", bus_clocks / clocks}};

@@ -23,6 +23,7 @@ struct MeasurementSize {
   uint64_t requests = 4096;  ///< that each unit answers for a row
   uint64_t alone = 64;       ///< requests sent alone
   uint64_t seed = 1;
+  std::vector<std::string> only;  ///< rows whose name has one of these, and none alone; empty: all
 };
 
 /// What one row of throughput is of.
