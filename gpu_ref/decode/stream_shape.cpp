@@ -2,7 +2,7 @@
 
 #include "arithmetic/rounding.hpp"
 #include "arithmetic/widths.hpp"
-#include "device/device_state.hpp"
+#include "device/machine_error.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc::gpu {

@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -14,21 +13,10 @@
 
 #include "hazards.hpp"
 #include "kernels.hpp"
+#include "machine_error.hpp"
 #include "vulkan_hpp.hpp"
 
 namespace hmlfc::gpu {
-
-/// Thrown inside gpu_ref with what a Failure says; its public functions catch it.
-class MachineError : public std::runtime_error {
- public:
-  MachineError(FailureKind kind, const std::string& message)
-      : std::runtime_error(message), kind_(kind) {}
-
-  FailureKind kind() const { return kind_; }
-
- private:
-  FailureKind kind_;
-};
 
 /// Returns the number of the device that DeviceOptions::device = `wanted` means; devices.size() for
 /// none.

@@ -51,16 +51,26 @@ Request request_of_bit(uint bit) {
 }
 
 /// Where the slots of held blocks are found.
+#ifdef HMLFC_BOUND
+struct HeldBlocks {
+  uint last_page;
+};
+
+#define held_blocks() HeldBlocks(frame().pool_pages - 1u)
+#define pages_of(held) frame().pages
+#else
 struct HeldBlocks {
   OutWords pages;
   uint last_page;
 };
 
 HeldBlocks held_blocks() { return HeldBlocks(frame().pages, frame().pool_pages - 1u); }
+#define pages_of(held) held.pages
+#endif
 
 /// The slot of the block of a bit, if it is held; else any slot that there is.
 uint slot_of_bit(HeldBlocks held, uint bit) {
-  return min(held.pages.word[bit >> 5], held.last_page) << 5 | (bit & 31u);
+  return min(pages_of(held).word[bit >> 5], held.last_page) << 5 | (bit & 31u);
 }
 
 /// Where sample (x, y) of a plane lies in its image.

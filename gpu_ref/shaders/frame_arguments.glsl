@@ -1,6 +1,11 @@
 // The frame of a rendering kernel, which Arguments::frame points to, and the pool of its blocks.
+// HMLFC_BOUND: for WGSL, where addresses are bindings, no address is a value.
 
+#ifdef HMLFC_BOUND
+#define frame() Frame(arguments.frame)
+#else
 Frame frame() { return Frame(arguments.frame); }
+#endif
 
 /// The requests of this dispatch: the host says how many, or with kCounted frame_plan.glsl does.
 layout(constant_id = 3) const bool kCounted = false;
@@ -21,11 +26,16 @@ uint word_of_slot(uint slot, uint word) {
 }
 
 /// Word `at` of the pool at address `pool`.
+#ifdef HMLFC_BOUND
+uint bound_pool_word(uint at) { return OutWords(frame().pool).word[at]; }
+#define pool_word(pool, at) bound_pool_word(at)
+#else
 uint pool_word(uvec2 pool, uint at) {
   if (!kPoolChunked) return OutWords(pool).word[at];
   const uint log2 = frame().pool_chunk_log2;
   return OutChunks(pool).chunk[at >> log2].word[low_bits(at, log2)];
 }
+#endif
 
 void write_pool_word(uint at, uint value) {
   if (kPoolChunked) {

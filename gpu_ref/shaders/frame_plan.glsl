@@ -1,5 +1,8 @@
 // What a frame decodes, and the sizes of the dispatches that do it. The workgroups of mark.comp count
-// the blocks that the frame needs; the last of them that is done decides.
+// the blocks that the frame needs; the last of them that is done decides, or plan.comp after them.
+
+/// plan.comp decides: WGSL orders no memory between workgroups.
+layout(constant_id = 7) const bool kPlanApart = false;
 
 /// The counters kCountNeeded to kCountMissingPages of this workgroup.
 shared uint marked[4];
@@ -64,6 +67,7 @@ void end_marking() {
   for (uint i = 0u; i < 4u; ++i) {
     if (marked[i] != 0u) atomicAdd(frame().counters.word[i], marked[i]);
   }
+  if (kPlanApart) return;
   memoryBarrierBuffer();
   const uint workgroups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
   if (atomicAdd(frame().counters.word[kCountWorkgroups], 1u) + 1u != workgroups) return;

@@ -16,7 +16,7 @@ shared Line window_cols[kWindows];
 shared Line window_rows[kWindows];
 
 /// The most columns, in pairs that begin at even ones, and the most rows of a window.
-shared uvec2 most_of_windows;
+shared uint most_columns, most_rows;
 
 /// Column and row of the invocation's pixel in the frame.
 ivec2 pixel_of_invocation() {
@@ -149,11 +149,11 @@ Passes passes_of_group(Filter f, Axis cols, Axis rows, int windows_log2) {
   passes.count = passes.far ? 1u << (2u * f.views_log2)
                             : ((uint(passes.views.y) - 1u) >> passes.rows_log2) + 1u;
   if (!has_rays()) passes.count = 0u;
-  most_of_windows = passes.far ? uvec2(2u) : uvec2(0u);
+  most_columns = most_rows = passes.far ? 2u : 0u;
   return passes;
 }
 
-shared Passes group_passes;  // which one invocation finds, with most_of_windows
+shared Passes group_passes;  // which one invocation finds, with most_columns and most_rows
 
 /// Column and row of the view of a far pass, of those of a pixel.
 ivec2 view_of_pass(Filter f, uint pass) {
@@ -187,13 +187,13 @@ void write_lines(Filter f, Axis cols, Axis rows, Passes passes, Ray ray, uint pa
     const int view = passes.first.x + int(lane);
     const Line line = line_of_view(f, cols, column_extent(), view, bit_of_col(view));
     window_cols[lane] = line;
-    atomicMax(most_of_windows.x, uint((line.last >> 1) - (line.first >> 1)) + 1u);
+    atomicMax(most_columns, uint((line.last >> 1) - (line.first >> 1)) + 1u);
   }
   if (int(lane) < passes.views.y) {
     const int view = passes.first.y + int(lane);
     const Line line = line_of_view(f, rows, row_extent(), view, bit_of_row(view));
     window_rows[lane] = line;
-    atomicMax(most_of_windows.y, uint(line.last - line.first) + 1u);
+    atomicMax(most_rows, uint(line.last - line.first) + 1u);
   }
 }
 

@@ -37,8 +37,8 @@ struct WindowSize {
 shared WindowSize group_size;  // which one invocation finds
 
 WindowSize window_size() {
-  const uint pairs = most_of_windows.x * most_of_windows.y;
-  return WindowSize(most_of_windows.x, pairs, inverse_of(most_of_windows.x), inverse_of(pairs));
+  const uint pairs = most_columns * most_rows;
+  return WindowSize(most_columns, pairs, inverse_of(most_columns), inverse_of(pairs));
 }
 
 /// log2 of the windows of up to `pixels` that have room; less than 0 where one has too little.
@@ -50,14 +50,19 @@ int windows_log2(ivec2 pixels) {
 struct Source {
   BlockBits bits;
   HeldBlocks held;
+#ifndef HMLFC_BOUND
   uvec2 pool;
+#endif
   uint block_log2, halved;
   int greatest;
 };
 
 Source source() {
-  return Source(block_bits(), held_blocks(), frame().pool, arguments.shape.block_log2,
-                arguments.shape.chroma_halved, greatest_sample());
+  return Source(block_bits(), held_blocks(),
+#ifndef HMLFC_BOUND
+                frame().pool,
+#endif
+                arguments.shape.block_log2, arguments.shape.chroma_halved, greatest_sample());
 }
 
 /// The word of the pool with position `at` of the block of bit `bit`. Where the frame does not need the

@@ -6,7 +6,7 @@
 //   const {width, height, texels, statuses} = await decoder.decodeView(0, 0);
 
 import {Batch, groups} from "./batch.js";
-import {kernelsOf} from "./kernels.js";
+import {DECODER_KERNELS, kernelsOf} from "./kernels.js";
 
 // WebGPU has no types yet.
 /** @typedef {any} GPUDevice */
@@ -69,7 +69,7 @@ export class HmlfcGpu {
     if (stream.byteLength < codedOffset + codedBytes || view.getUint32(headerBytes - 4, true) !== header.headerCrc) {
       throw new Error("the reference area belongs to another stream");
     }
-    const decoder = new HmlfcGpu(device, header, await kernelsOf(device, folder));
+    const decoder = new HmlfcGpu(device, header, await kernelsOf(device, folder, DECODER_KERNELS));
     try {
       decoder.#upload(stream.subarray(codedOffset, codedOffset + codedBytes), words);
     } catch (error) {

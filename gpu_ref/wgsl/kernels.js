@@ -1,4 +1,4 @@
-// The kernels of hmlfc_gpu.js, compiled.
+// The kernels of hmlfc_gpu.js and frame_renderer.js, compiled.
 
 /** @typedef {any} GPUDevice */
 
@@ -7,46 +7,50 @@
  * @typedef {{pipeline: any, bindings: {binding: number, name: string}[]}} Kernel
  */
 
-const KERNELS = ["expand", "walk", "reference_walk", "residuals", "samples", "colour"];
+export const DECODER_KERNELS = ["expand", "walk", "reference_walk", "residuals", "samples", "colour"];
+export const FRAME_KERNELS = [
+  "expand", "reference_walk", "residuals", "surface", "mark", "mark_geometry", "plan", "compact", "frame_walk",
+  "frame_samples", "render", "render_geometry",
+];
 
 /**
- * By device and folder.
- * @type {WeakMap<GPUDevice, Map<string, Promise<Object<string, Kernel>>>>}
+ * By device and address.
+ * @type {WeakMap<GPUDevice, Map<string, Promise<Kernel>>>}
  */
 const compiled = new WeakMap();
 
 /**
- * The kernels of `folder`, compiled once for a device.
+ * The kernels `names` of `folder`, each compiled once for a device.
  * @param {GPUDevice} device
  * @param {URL} folder
+ * @param {string[]} names
+ * @returns {Promise<Object<string, Kernel>>}
  */
-export function kernelsOf(device, folder) {
-  const folders = compiled.get(device) ?? new Map();
-  compiled.set(device, folders);
-  if (!folders.has(folder.href)) {
-    folders.set(folder.href, compile(device, folder));
-    folders.get(folder.href).catch(() => folders.delete(folder.href));
-  }
-  return folders.get(folder.href);
+export async function kernelsOf(device, folder, names) {
+  const kernels = compiled.get(device) ?? new Map();
+  compiled.set(device, kernels);
+  return Object.fromEntries(await Promise.all(names.map(async name => {
+    const {href} = new URL(`${name}.wgsl`, folder);
+    if (!kernels.has(href)) {
+      kernels.set(href, compile(device, name, href));
+      kernels.get(href).catch(() => kernels.delete(href));
+    }
+    return [name, await kernels.get(href)];
+  })));
 }
 
 /**
- * @param {GPUDevice} device
- * @param {URL} folder
+ * @param {GPUDevice} device @param {string} name @param {string} address
+ * @returns {Promise<Kernel>}
  */
-async function compile(device, folder) {
-  /** @type {Object<string, Kernel>} */
-  const kernels = {};
-  await Promise.all(KERNELS.map(async name => {
-    const answer = await fetch(new URL(`${name}.wgsl`, folder));
-    if (!answer.ok) throw new Error(`${answer.url}: ${answer.status} ${answer.statusText}`);
-    const code = await answer.text();
-    const module = device.createShaderModule({code, label: name});
-    const pipeline = await device.createComputePipelineAsync(
-        {label: name, layout: "auto", compute: {module, entryPoint: "main"}});
-    const bindings = [...code.matchAll(/@binding\((\d+)\) var<[^>]*> (\w+)/g)].map(
-        ([, binding, buffer]) => ({binding: Number(binding), name: buffer}));
-    kernels[name] = {pipeline, bindings};
-  }));
-  return kernels;
+async function compile(device, name, address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`${answer.url}: ${answer.status} ${answer.statusText}`);
+  const code = await answer.text();
+  const module = device.createShaderModule({code, label: name});
+  const pipeline = await device.createComputePipelineAsync(
+      {label: name, layout: "auto", compute: {module, entryPoint: "main"}});
+  const bindings = [...code.matchAll(/@binding\((\d+)\) var<[^>]*> (\w+)/g)].map(
+      ([, binding, buffer]) => ({binding: Number(binding), name: buffer}));
+  return {pipeline, bindings};
 }

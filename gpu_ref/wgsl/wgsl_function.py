@@ -3,40 +3,8 @@
 import re
 
 from spirv_module import Refused
+from wgsl_operations import ATOMICS, BINARY, CALLS, COMPARISONS, KNOWN, PLAIN, STATEMENTS, WRITES
 from wgsl_types import safe
-
-# The operator or function, and the kind of integers that it takes: none for that of the result, in a comparison for
-# that of the first operand.
-BINARY = {
-    "IAdd": "+", "ISub": "-", "IMul": "*", "UDiv": "/ u32", "UMod": "% u32", "BitwiseAnd": "&", "BitwiseOr": "|",
-    "LogicalAnd": "&", "LogicalOr": "|", "ShiftLeftLogical": "<<", "ShiftRightLogical": ">> u32",
-    "ShiftRightArithmetic": ">> i32",
-}
-COMPARISONS = {
-    "IEqual": "==", "INotEqual": "!=", "ULessThan": "< u32", "ULessThanEqual": "<= u32", "UGreaterThan": "> u32",
-    "UGreaterThanEqual": ">= u32", "SLessThan": "< i32", "SLessThanEqual": "<= i32", "SGreaterThan": "> i32",
-    "SGreaterThanEqual": ">= i32",
-}
-CALLS = {
-    "UMin": "min u32", "UMax": "max u32", "UClamp": "clamp u32", "SMin": "min i32", "SMax": "max i32",
-    "SClamp": "clamp i32", "SAbs": "abs i32", "FindILsb": "firstTrailingBit", "BitCount": "countOneBits",
-    "Not": "~", "SNegate": "-",
-}
-# Calls whose operands stay as they are; the last three are PAIRS of wgsl_of_spirv.py.
-PLAIN = {
-    "LogicalNot": "!", "Any": "any", "All": "all",
-    "UMulExtended": "product", "IAddCarry": "sum", "ISubBorrow": "difference",
-}
-KNOWN = {
-    *BINARY, *COMPARISONS, *CALLS, *PLAIN, "FunctionCall", "AtomicIAdd", "CompositeConstruct", "VectorShuffle",
-    "Select", "CopyLogical", "Bitcast", "BitFieldInsert", "BitFieldSExtract",
-    "BitFieldUExtract",
-}
-WRITES = ("OpStore", "OpAtomicIAdd", "OpFunctionCall")
-STATEMENTS = (
-    *WRITES, "OpLoopMerge", "OpSelectionMerge", "OpBranch", "OpBranchConditional", "OpReturn", "OpReturnValue",
-    "OpUnreachable", "OpPhi", "OpCompositeInsert",
-)
 
 
 def bare(expression):
@@ -151,6 +119,8 @@ class Body:
             case "OpStore", [target, value, *_]:
                 if target in self.function.variables and target not in self.values:
                     self.values[target] = self.value(value)
+                elif self.shader.is_atomic(target):
+                    self.put(f"atomicStore(&{self.value(target)}, {bare(self.value(value))});")
                 else:
                     self.put(f"{self.value(target)} = {bare(self.value(value))};")
             case "OpPhi", [kind, *_]:
@@ -170,6 +140,12 @@ class Body:
                     self.values[one.result] = self.select(self.value(base), self.shader.pointee(base), indices)
             case ("OpLoad" | "OpBitcast"), _ if self.shader.address(one.result):
                 pass
+            case "OpControlBarrier", _:
+                self.put("workgroupBarrier();")
+            case "OpLoad", [_, pointer, *_] if self.shader.is_atomic(pointer):
+                self.define(label, one, f"atomicLoad(&{self.value(pointer)})")
+            case "OpLoad", [_, pointer, *_] if pointer in self.shader.shared:
+                self.define(label, one, f"workgroupUniformLoad(&{self.value(pointer)})")
             case "OpLoad", [_, pointer, *_]:
                 if self.is_fixed(self.value(pointer)):
                     self.values[one.result] = self.value(pointer)
@@ -199,14 +175,19 @@ class Body:
                 passed = [("&" if (callee, i) in self.shader.written else "") + self.value(argument)
                           for i, argument in enumerate(arguments)]
                 return call(self.shader.functions[callee], *passed)
-            case "AtomicIAdd":
-                return call("atomicAdd", f"&{self.value(operands[0])}", self.value(operands[3]))
+            case "AtomicLoad":
+                return call("atomicLoad", f"&{self.value(operands[0])}")
+            case _ if name in ATOMICS:
+                return call(ATOMICS[name], f"&{self.value(operands[0])}", self.value(operands[3]))
         first = self.types.text(self.all[operands[0]].operands[0])
         match name:
             case "CompositeConstruct":
                 return call(result, *map(self.value, operands))
             case "VectorShuffle" if operands[0] == operands[1]:
                 return f"{self.value(operands[0])}.{''.join('xyzw'[int(i) % int(first[3])] for i in operands[2:])}"
+            case "VectorShuffle":
+                parts = [(one, i) for one in operands[:2] for i in range(int(self.types.text(self.all[one].operands[0])[3]))]
+                return call(result, *(f"{self.value(one)}.{'xyzw'[i]}" for one, i in (parts[int(k)] for k in operands[2:])))
             case "Select":
                 return call("select", *map(self.value, reversed(operands[1:])), self.value(operands[0]))
             case "CopyLogical" | "Bitcast":

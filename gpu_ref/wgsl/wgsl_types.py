@@ -28,7 +28,8 @@ def safe(name, taken=frozenset()):
 class Types:
     def __init__(self, module):
         self.module = module
-        self.structures = {}  # name to members as text; two structures of one name are the same
+        self.structures = {}  # name to members as text; two structures of one name and text are the same
+        self.titles = {}  # of a structure's id
 
     def count(self, name):
         """Elements of an array."""
@@ -40,6 +41,9 @@ class Types:
         if one.op == "OpTypeStruct":
             return one.operands[number], f".{self.member(name, number)}"
         return one.operands[0], f".{'xyzw'[number]}" if one.op == "OpTypeVector" else f"[{number}]"
+
+    def is_pointer(self, name):
+        return self.module.all[name].op == "OpTypePointer"
 
     def member(self, name, number):
         return safe(self.module.names.get((name, number), f"m{number}"))
@@ -60,15 +64,30 @@ class Types:
             case "OpTypeRuntimeArray", [part]:
                 return f"array<{self.text(part)}>"
             case "OpTypeStruct", parts:
-                title = safe(self.module.names[name])
-                members = "".join(f"  {self.member(name, i)}: {self.text(part)},\n" for i, part in enumerate(parts))
-                if self.structures.setdefault(title, members) != members:
-                    raise Refused(f"two structures {title}")
+                members = "".join(f"  {self.member(name, i)}: {self.text(part)},\n" for i, part in enumerate(parts)
+                                  if not self.is_pointer(part))
+                title = self.titles.get(name) or safe(self.module.names[name])
+                while self.structures.setdefault(title, members) != members:
+                    title += "_"
+                self.titles[name] = title
                 return title
         raise Refused(f"type {one.op} {one.operands}")
 
+    def is_uniform(self, name):
+        """Whether a uniform buffer may hold the type: its arrays have elements of whole 16 bytes."""
+        one = self.module.all[name]
+        match one.op:
+            case "OpTypeRuntimeArray":
+                return False
+            case "OpTypeArray":
+                return int(self.module.decorations[name, "ArrayStride"][0]) % 16 == 0 and self.is_uniform(one.operands[0])
+            case "OpTypeStruct":
+                return all(self.is_pointer(part) or self.is_uniform(part) for part in one.operands)
+        return True
+
     def layout(self, name):
-        """Alignment and size in bytes by the rules of WGSL. Refused: SPIR-V says otherwise."""
+        """Alignment and size in bytes by the rules of WGSL. Refused: SPIR-V says otherwise. Pointers at the beginning of
+        a structure are left out."""
         one, decorations = self.module.all[name], self.module.decorations
         match one.op, one.operands:
             case "OpTypeInt", _:
@@ -82,11 +101,14 @@ class Types:
                     raise Refused(f"the stride of {name}")
                 return alignment, stride * (self.count(name) if one.op == "OpTypeArray" else 1)
             case "OpTypeStruct", parts:
-                end, most = 0, 4
+                end, most, pointers = 0, 4, 0
                 for number, part in enumerate(parts):
+                    if self.is_pointer(part):
+                        pointers += 8
+                        continue
                     alignment, size = self.layout(part)
                     begin = -(-end // alignment) * alignment
-                    if decorations[name, number, "Offset"] != [str(begin)]:
+                    if decorations[name, number, "Offset"] != [str(pointers + begin)]:
                         raise Refused(f"the place of member {number} of {name}")
                     end, most = begin + size, max(most, alignment)
                 return most, -(-end // most) * most

@@ -1,4 +1,4 @@
-#include <hmlfc/focus.hpp>
+#include "render/find_focus.hpp"
 
 #include <algorithm>
 #include <array>
@@ -140,6 +140,8 @@ size_t views_near(const FrameRecord& f, const Meeting& at, std::array<Candidate,
   return count;
 }
 
+}  // namespace
+
 Result<FocusPoint> find_focus(const StreamView& stream, const Camera& camera, uint32_t x,
                               uint32_t y) {
   const PixelRay ray(stream, camera, x, y);
@@ -162,8 +164,6 @@ Result<FocusPoint> find_focus(const StreamView& stream, const Camera& camera, ui
   }
   return FocusPoint{is_seen ? PixelSight::kUnknown : PixelSight::kOutside, 0, {}};
 }
-
-}  // namespace
 
 Result<FocusPoint> focus_at(const Decoder& decoder, const Camera& camera, uint32_t x, uint32_t y) {
   const StreamView& stream = DecoderAccess::stream(decoder);

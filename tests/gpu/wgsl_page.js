@@ -147,11 +147,12 @@ export async function refusals(number, file, otherNumber) {
   ];
 }
 
-/** The functions of two words `pairs` on all pairs of `operands`: product, sum and difference, two words each. */
+/** The functions of two words `pairs` on all pairs of `operands`: product, sum, difference, signed product; two words each. */
 export async function pairResults(pairs, operands) {
   const {device} = window;
   const n = operands.length;
-  const code = `struct ResType { m0: u32, m1: u32 }
+  const code = `struct Pair { m0: u32, m1: u32 }
+struct IntPair { m0: i32, m1: i32 }
 ${pairs}
 @group(0) @binding(0) var<storage, read> operands: array<u32>;
 @group(0) @binding(1) var<storage, read_write> results: array<u32>;
@@ -159,15 +160,16 @@ ${pairs}
 fn main(@builtin(workgroup_id) at: vec3<u32>) {
   let a = operands[at.x];
   let b = operands[at.y];
-  let all = array<ResType, 3>(product(a, b), sum(a, b), difference(a, b));
-  for (var i = 0u; i < 3u; i++) {
-    results[6u * (at.x * ${n}u + at.y) + 2u * i] = all[i].m0;
-    results[6u * (at.x * ${n}u + at.y) + 2u * i + 1u] = all[i].m1;
+  let last = signed_product(i32(a), i32(b));
+  let all = array<Pair, 4>(product(a, b), sum(a, b), difference(a, b), Pair(u32(last.m0), u32(last.m1)));
+  for (var i = 0u; i < 4u; i++) {
+    results[8u * (at.x * ${n}u + at.y) + 2u * i] = all[i].m0;
+    results[8u * (at.x * ${n}u + at.y) + 2u * i + 1u] = all[i].m1;
   }
 }`;
   const pipeline = device.createComputePipeline(
       {layout: "auto", compute: {module: device.createShaderModule({code}), entryPoint: "main"}});
-  const [input, output, readback] = [[4 * n, 128 | 8], [24 * n * n, 128 | 4], [24 * n * n, 1 | 8]].map(
+  const [input, output, readback] = [[4 * n, 128 | 8], [32 * n * n, 128 | 4], [32 * n * n, 1 | 8]].map(
       ([size, usage]) => device.createBuffer({size, usage}));
   device.queue.writeBuffer(input, 0, Uint32Array.from(operands));
   const encoder = device.createCommandEncoder();
@@ -177,7 +179,7 @@ fn main(@builtin(workgroup_id) at: vec3<u32>) {
   pass.setBindGroup(0, device.createBindGroup({layout: pipeline.getBindGroupLayout(0), entries}));
   pass.dispatchWorkgroups(n, n);
   pass.end();
-  encoder.copyBufferToBuffer(output, 0, readback, 0, 24 * n * n);
+  encoder.copyBufferToBuffer(output, 0, readback, 0, 32 * n * n);
   device.queue.submit([encoder.finish()]);
   await readback.mapAsync(1);
   return Array.from(new Uint32Array(readback.getMappedRange()));

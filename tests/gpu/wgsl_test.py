@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/view"), str(ROOT / "gpu_ref/wgsl")]
 
 from browser import WEBGPU, Browser, missing
-from wgsl_of_spirv import PAIRS
+from wgsl_of_spirv import HIGH_WORD, PAIRS
 
 SKIPPED = 77
 AT_ONCE = 50  # vectors of a call
@@ -57,18 +57,20 @@ class Handler(http.server.SimpleHTTPRequestHandler):
 
 
 class Page:
+    module = "wgsl_page.js"
+
     def __init__(self, browser, address):
         self.page = browser.page
         self.page.set_script_timeout(500)
         self.page.get(address)
 
-    def call(self, function, *arguments):
-        """The result of a function of wgsl_page.js."""
+    def call(self, function, *arguments, module=None):
+        """The result of a function of `module`."""
         result, error = self.page.execute_async_script(
-            "const [name, values, done] = arguments;"
-            "import('/page/wgsl_page.js').then(page => page[name](...values))"
+            "const [module, name, values, done] = arguments;"
+            "import(`/page/${module}`).then(page => page[name](...values))"
             ".then(result => done([result, '']), error => done([null, String(error)]));",
-            function, arguments)
+            module or self.module, function, arguments)
         if error:
             raise AssertionError(f"{function}: {error}")
         return result
@@ -92,13 +94,19 @@ def vectors_that_open(suite, areas):
     return vectors
 
 
-def wrong_pairs(page, text):
+def signed(word):
+    return word - ((word & 0x80000000) << 1)
+
+
+def wrong_pairs(page):
     """The first difference of the functions of two words."""
-    results = iter(page.call("pairResults", text, EDGES))
+    functions = [text.replace("Pair", "IntPair") if "i32" in text else text for text in PAIRS.values()]
+    results = iter(page.call("pairResults", "\n".join([HIGH_WORD, *functions]), EDGES))
     for a in EDGES:
         for b in EDGES:
             carry, borrow = a + b, a - b
-            wanted = [*divmod(a * b, 1 << 32)[::-1], carry % 2**32, carry >> 32, borrow % 2**32, int(borrow < 0)]
+            wanted = [*divmod(a * b, 1 << 32)[::-1], carry % 2**32, carry >> 32, borrow % 2**32, int(borrow < 0),
+                      *divmod(signed(a) * signed(b) % 2**64, 1 << 32)[::-1]]
             found = [next(results) for _ in wanted]
             if found != wanted:
                 return [f"{a:#x} and {b:#x}: {found} instead of {wanted}"]
@@ -107,7 +115,7 @@ def wrong_pairs(page, text):
 
 def check(page, vectors, kernels):
     found = page.call("messages", "/wgsl/", [path.stem for path in sorted(kernels.glob("*.wgsl"))])
-    found += wrong_pairs(page, PAIRS)
+    found += wrong_pairs(page)
     for begin in range(0, len(vectors), AT_ONCE):
         found += page.call("checkAll", "/wgsl/", vectors[begin : begin + AT_ONCE], 5)
     first, second = vectors[0], vectors[-1]

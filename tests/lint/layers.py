@@ -47,6 +47,7 @@ ALLOWED = {
     "gpu_ref/device": {"model/bits", "model/arithmetic", "gpu_ref/shaders"},
     "gpu_ref/decode": {*DECODER, "gpu_ref/device"},
     "gpu_ref/render": {*DECODER, "model/render", "gpu_ref/device", "gpu_ref/decode"},
+    "gpu_ref/wasm": {*DECODER, "model/render", "gpu_ref/device", "gpu_ref/decode"},
     "gpu_ref": {*DECODER, *GPU},
     "tools/terminal": set(),
     "tools/io": {"model/bits"},
