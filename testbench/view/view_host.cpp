@@ -63,7 +63,11 @@ void ViewHost::idle_until_interrupt() {
   }
 }
 
-uint32_t ViewHost::take_events() { return std::exchange(events_, 0); }
+// Also of an interrupt that came while the driver read a register.
+uint32_t ViewHost::take_events() {
+  if (out_.interrupt) events_ |= hmlfc_unit_events(&driver_);
+  return std::exchange(events_, 0);
+}
 
 hmlfc_unit* ViewHost::driver() {
   driver_.rings = buffer(ring_base_, HMLFC_RINGS_BYTES(ring_size_));
