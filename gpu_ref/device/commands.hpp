@@ -82,7 +82,7 @@ class Commands {
              const Dispatch& dispatch);
   void write_time(uint32_t query);
 
-  const vk::raii::DeviceDispatcher* calls_;
+  const DeviceCalls* calls_;
   const FrameArguments* frame_;
   vk::CommandBuffer commands_;
   vk::QueryPool queries_;

@@ -157,7 +157,8 @@ class ConvertTest(CliTest):
             ("extrinsics", "baseline_mm", 1000 * step), ("extrinsics", "focus_distance_m", focal * step / shift),
         ]:  # fmt: skip
             self.assertAlmostEqual(float(found[section][key]), value, 6, key)
-        # The grid is not square: the file tells it.
+        # The grid is not square: the file tells it, also with the name that another system gave it.
+        (self.folder / "hci/parameters.cfg").rename(self.folder / "hci/PARAMETERS.CFG")
         self.hmlfc("convert", "hci", "hci.hmlfc")
         back = self.rig_of("hci.hmlfc")
         for member in "positions", "intrinsics":
@@ -167,9 +168,9 @@ class ConvertTest(CliTest):
         self.hmlfc("convert", "hci.hmlfc", "hci-again")
         (self.folder / "hci-again/rig.json").unlink()
         self.same_views("views", "hci-again")
-        (self.folder / "hci/parameters.cfg").write_text("[extrinsics]\nnum_cams_x = 4\nnum_cams_y = 3\n")
+        (self.folder / "hci/PARAMETERS.CFG").write_text("[extrinsics]\nnum_cams_x = 4\nnum_cams_y = 3\n")
         self.hmlfc("convert", "hci", "no-rig.hmlfc", "--no-rig")
-        (self.folder / "hci/parameters.cfg").unlink()
+        (self.folder / "hci/PARAMETERS.CFG").unlink()
         self.refused(INPUT, "convert", "hci", "x.hmlfc", says="give --grid")
         self.hmlfc(*"synth --scene cards --grid 2x2 --size 24x16 --cameras sphere -o s --rig s/rig.json".split())
         self.refused(USAGE, "convert", "s", "hci-s", "--to", "hci", says=["parameters.cfg cannot hold", "rotations[0]"])

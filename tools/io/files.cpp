@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <random>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -16,10 +17,28 @@ namespace hmlfc::io {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
 std::string lower_case_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
+  return lower_case(file.extension().string());
+}
+
+fs::path file_named(const fs::path& folder, std::string_view name) {
+  fs::path found;
+  std::error_code failure;
+  for (fs::directory_iterator i(folder, failure), end; !failure && i != end; i.increment(failure)) {
+    const std::string file = i->path().filename().string();
+    if (file == name) return i->path();
+    if (lower_case(file) == name && (found.empty() || i->path() < found)) found = i->path();
+  }
+  return found;
 }
 
 fs::path partial_name(const fs::path& target) {

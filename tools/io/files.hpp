@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bits/mapped_file.hpp"
@@ -17,6 +18,10 @@ namespace hmlfc::io {
 
 /// ".png" of "a/B.PNG".
 std::string lower_case_extension(const std::filesystem::path& file);
+
+/// The file `name`, in lower case, of a folder, else one whose name differs in case alone; empty
+/// without both.
+std::filesystem::path file_named(const std::filesystem::path& folder, std::string_view name);
 
 /// Closes its descriptor on destruction; empty (-1) after a move or release().
 class FileDescriptor {

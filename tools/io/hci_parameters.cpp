@@ -175,9 +175,8 @@ IoResult<HciParameters> read_hci_parameters(const std::filesystem::path& file) {
 }
 
 IoResult<std::optional<GridShape>> hci_grid(const std::filesystem::path& folder) {
-  const auto file = folder / kHciParametersName;
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  const auto file = file_named(folder, kHciParametersName);
+  if (file.empty()) return std::nullopt;
   const auto mapped = map_file(file);
   if (!mapped) return tl::unexpected(mapped.error());
   const auto members = read_members(text_of(*mapped));

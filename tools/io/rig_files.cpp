@@ -2,7 +2,6 @@
 
 #include <set>
 #include <string>
-#include <system_error>
 
 #include "io/files.hpp"
 #include "io/hci_parameters.hpp"
@@ -70,9 +69,8 @@ IoResult<std::optional<Rig>> rig_beside(const ViewList& views, const LightFieldS
   // Views in folders of rows may have it next to these.
   for (const auto& folder : {views.files.front().parent_path(), views.folder}) {
     for (const std::string_view name : {kRigName, kHciParametersName}) {
-      const auto file = folder / name;
-      std::error_code failure;
-      if (folder.empty() || !std::filesystem::exists(file, failure)) continue;
+      const auto file = file_named(folder, name);
+      if (file.empty()) continue;
       auto rig = read_rig(file, views, shape);
       if (!rig) return tl::unexpected(IoError{rig.error().message + " (--no-rig leaves it out)"});
       return std::move(*rig);
