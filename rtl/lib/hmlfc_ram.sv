@@ -22,7 +22,7 @@ module hmlfc_ram #(
     output logic [WIDTH-1:0] read_data
 );
 `ifndef __ICARUS__  // version 11 has no elaboration tasks
-  if (DEPTH != 1 << $clog2(DEPTH) || DEPTH < 2) $error("DEPTH is a power of two, at least 2");
+  if (DEPTH != 1 << $clog2(DEPTH) || DEPTH < 2) begin : check_depth $error("DEPTH is a power of two, at least 2"); end
 `endif
 
   (* no_rw_check *) logic [WIDTH-1:0] words [0:DEPTH-1];

@@ -106,15 +106,19 @@ module hmlfc_decode_unit #(
 );
 
 `ifndef __ICARUS__  // version 11 has no elaboration tasks
-  if (BLOCK_LOG2 < 1 || BLOCK_LOG2 > 3) $error("BLOCK_LOG2 is 1, 2 or 3");
-  if (MAX_DEPTH < 8 || MAX_DEPTH > 12) $error("MAX_DEPTH is 8 to 12");
-  if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128) $error("AXI_DATA_BITS is 64 or 128");
-  if (OUTSTANDING < 4 || OUTSTANDING > 64) $error("OUTSTANDING is 4 to 64");
-  if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0)
+  if (BLOCK_LOG2 < 1 || BLOCK_LOG2 > 3) begin : check_block_log2 $error("BLOCK_LOG2 is 1, 2 or 3"); end
+  if (MAX_DEPTH < 8 || MAX_DEPTH > 12) begin : check_max_depth $error("MAX_DEPTH is 8 to 12"); end
+  if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128) begin : check_axi_data_bits
+    $error("AXI_DATA_BITS is 64 or 128");
+  end
+  if (OUTSTANDING < 4 || OUTSTANDING > 64) begin : check_outstanding $error("OUTSTANDING is 4 to 64"); end
+  if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0) begin : check_tile_contexts
     $error("TILE_CONTEXTS is a power of two, 2 to 32");
-  if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0)
+  end
+  if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0) begin : check_cache_strips
     $error("CACHE_STRIPS is a power of two, 64 to 1024");
-  if (TRACE < 0 || TRACE > 1) $error("TRACE is 0 or 1");
+  end
+  if (TRACE < 0 || TRACE > 1) begin : check_trace $error("TRACE is 0 or 1"); end
 `endif
 
   hmlfc_widths widths ();

@@ -64,8 +64,9 @@ module hmlfc_registers #(
     input logic answered
 );
 `ifndef __ICARUS__  // version 11 has no elaboration tasks
-  if (HMLFC_REG_STREAM_BASE_MASK != (64'd1 << hmlfc_pkg::ADDRESS_BITS) - 64'd1)
+  if (HMLFC_REG_STREAM_BASE_MASK != (64'd1 << hmlfc_pkg::ADDRESS_BITS) - 64'd1) begin : check_address_bits
     $error("registers.json: the addresses are not of ADDRESS_BITS");
+  end
 `endif
 
   // Write channel: address and data are accepted one by one, and used when both have arrived.
