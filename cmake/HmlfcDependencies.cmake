@@ -82,7 +82,7 @@ if(HMLFC_TESTS)
   hmlfc_require(GTest DEBIAN libgtest-dev PURPOSE "tests")
   hmlfc_require(rapidcheck DEBIAN librapidcheck-dev PURPOSE "property tests")
   hmlfc_require(HTTPLIB PKGCONFIG cpp-httplib DEBIAN libcpp-httplib-dev PURPOSE "tests: server of ranges")
-  find_program(HMLFC_CLANG_FORMAT NAMES clang-format-14 clang-format)
+  find_program(HMLFC_CLANG_FORMAT clang-format-14)  # others format otherwise
   hmlfc_tool(clang-format "${HMLFC_CLANG_FORMAT}" "found" "lint test of the formatting")
 endif()
 if(HMLFC_STRESS OR (HMLFC_TESTS AND NOT HMLFC_TESTS STREQUAL unit))
