@@ -165,7 +165,7 @@ TEST(Y4m, WhatIsNotRead) {
            {"", "not a Y4M"},
            {"RIFF\n", "not a Y4M"},
            {std::string(5000, 'x'), "not a Y4M"},
-           {"YUV4MPEG2 W2 H1\n", "(no C word: 4:2:0)"},
+           {"YUV4MPEG2 W2 H1\n", "(no C word: 4:2:0; no XCOLORRANGE word: black is 16"},
            {"YUV4MPEG2 W2 H1 C411\n", "yuv444p10"},
            {"YUV4MPEG2 W2 H1 C444alpha\n", "C444alpha"},
            {"YUV4MPEG2 W2 H1 C420p17\n", "C420p17"},

@@ -11,7 +11,7 @@ from unittest import mock
 from urllib.parse import urlsplit
 
 from page_server import PageServer
-from program import DONE, CliTest, main
+from program import DONE, INPUT, CliTest, main
 
 from crc32c import crc32c
 
@@ -108,6 +108,16 @@ class Server(CliTest):
                 connection.sendall(begin + more)
                 self.assertTrue(connection.recv(100).startswith(f"HTTP/1.1 {status} ".encode()))
         self.assertEqual(server.ask("stream")[0], 200)
+
+    def test_a_file_that_becomes_shorter_does_not_end_it(self):
+        (self.folder / "cut.hmlfc").write_bytes((self.folder / "a.hmlfc").read_bytes())
+        server = self.serve("cut.hmlfc")
+        os.truncate(self.folder / "cut.hmlfc", 0)
+        server.ask("totals")
+        self.assertEqual(server.ask("stream")[0], 200)
+        status, message = server.end()
+        self.assertEqual(status, INPUT)
+        self.assertIn("became shorter", message)
 
     def test_what_is_endless_takes_no_memory(self):
         server = self.serve("a.hmlfc")

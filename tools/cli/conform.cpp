@@ -178,6 +178,9 @@ void check_frames(const ConformOptions& options, const std::vector<conform::Dut>
       throw Failure(ExitCode::kUsage,
                     dut.name + ": a renderer's command line has {record} or {camera}");
     }
+    if (!options.frames && dut.waiting == nullptr && dut.command.empty()) {
+      throw Failure(ExitCode::kUsage, dut.name + ": a renderer is checked with --frames");
+    }
   }
 }
 
@@ -193,6 +196,11 @@ ExitCode run_conform(const ConformOptions& given) {
     check_replaceable({options.claim}, {R"("manifest_sha256")", options.force});
   }
   const auto suite = suite_for(duts, options);
+  for (const std::string& pattern : options.run.selection.filters) {
+    const auto fits = [&](const auto& vector) { return vectors::matches(vector, pattern); };
+    if (std::ranges::any_of(suite.manifest.vectors, fits)) continue;
+    throw Failure(ExitCode::kUsage, fmt::format("--filter {}: no vector fits", pattern));
+  }
   const auto lock = take_report_folder(options);
   conform::Report report{
       suite.manifest.vectors_version, suite.manifest_sha256, conform::this_system(kProgram), {}};

@@ -20,6 +20,7 @@
 
 #include "cli/commands.hpp"
 #include "gpu_ref/render/gpu_frame_renderer.hpp"
+#include "terminal/lost_pages.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -205,7 +206,9 @@ ExitCode guarded_run(int count, char** arguments) {
   try {
     const ExitCode code = run(count, arguments);
     flush_output();
-    return code;
+    if (!terminal::pages_were_lost()) return code;
+    note("An input became shorter while it was read: do not trust what was written");
+    return ExitCode::kInput;
   } catch (const Failure& failure) {
     if (*failure.what() != '\0') note(failure.what());
     return failure.code();
@@ -234,5 +237,6 @@ int main(int count, char** arguments) {
   std::set_terminate(hmlfc::cli::end_without_memory);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  hmlfc::terminal::survive_lost_pages();
   return static_cast<int>(hmlfc::cli::guarded_run(count, arguments));
 }

@@ -66,6 +66,12 @@ class RenderRun {
 
   ExitCode frames() {
     prepare_output();
+    for (size_t k = 0; k < cameras_.size() && !arguments_.preview.empty(); ++k) {
+      if (frame_path(k).lexically_normal() == arguments_.preview.lexically_normal()) {
+        throw Failure(ExitCode::kUsage,
+                      arguments_.preview.string() + ": --preview and a frame have one name");
+      }
+    }
     Preview preview(arguments_.preview, kRenderSign, arguments_.force);
     if (arguments_.progressive && stop_level_ == file_.header().tree_height) {
       note(fmt::format(
@@ -76,7 +82,7 @@ class RenderRun {
     const auto renderer = make_renderer(arguments_.backend, file_);
     terminal::ProgressBar progress("Rendering", "frames");
     for (size_t k = 0; k < cameras_.size(); ++k) {
-      render_one(*renderer, k, file_out_ ? file_out_->path() : arguments_.output / frame_name(k));
+      render_one(*renderer, k, frame_path(k));
       preview.add(frame_.image);
       progress.update(k + 1, cameras_.size());
     }
@@ -98,6 +104,10 @@ class RenderRun {
   }
 
  private:
+  std::filesystem::path frame_path(size_t k) const {
+    return file_out_ ? file_out_->path() : arguments_.output / frame_name(k);
+  }
+
   // Makes the folder, or checks that the one PNG file can be written.
   void prepare_output() {
     const std::filesystem::path& output = arguments_.output;

@@ -107,12 +107,21 @@ std::string_view first_stage(std::string_view stages) {
   return {};
 }
 
+// Without what an answer holds and what was asked for besides its first word: of "wrong answer to
+// 'record pu=1': no such word" the part "wrong answer to 'record'".
+std::string reason_of(std::string_view text) {
+  constexpr std::string_view kWrongAnswer = "wrong answer to '";
+  if (!text.starts_with(kWrongAnswer)) return without_numbers(text);
+  const size_t end = text.find_first_of(" '", kWrongAnswer.size());
+  return std::string(text.substr(0, end)) + "'";
+}
+
 // What failures have in common.
 std::string cause_of(const VectorResult& result) {
   if (result.not_counted) return "not counted: the base does not pass";
   std::string text = !result.kind.empty() ? result.kind
                      : result.difference  ? "wrong samples"
-                                          : without_numbers(result.reason);
+                                          : reason_of(result.reason);
   if (const std::string_view stage = first_stage(result.stage); !stage.empty()) {
     text += fmt::format("; first wrong stage {}", stage);
   } else if (result.difference) {

@@ -1,6 +1,7 @@
 #include "io/files.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -63,11 +64,16 @@ IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
     if (failure) return system_error(target, "cannot follow the link", failure.value());
   }
 
+  if (fs::exists(status) && ::access(resolved.c_str(), W_OK) != 0) {
+    return system_error(target, "cannot be replaced; choose another output name", errno);
+  }
+
   fs::path partial = partial_name(resolved);
   FileDescriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.get() < 0) {
     return system_error(target, "cannot write here (is the folder there and writable?)", errno);
   }
+  if (fs::exists(status)) ::fchmod(file.get(), static_cast<mode_t>(status.permissions()) & 0777);
   return AtomicFile(std::move(resolved), std::move(partial), std::move(file));
 }
 

@@ -56,8 +56,8 @@ std::filesystem::path partial_name(const std::filesystem::path& target);
 class AtomicFile {
  public:
   /// Errors: the folder does not exist or cannot be written, or the target exists and is not a
-  /// regular file (a device or a folder is never replaced). A symbolic link's target is replaced,
-  /// not the link.
+  /// regular file (a device or a folder is never replaced), or is write-protected. A symbolic
+  /// link's target is replaced, not the link; permissions stay.
   static IoResult<AtomicFile> create(const std::filesystem::path& target);
 
   AtomicFile(AtomicFile&&) noexcept = default;

@@ -82,8 +82,8 @@ bool is_one_of(const std::string& label, std::initializer_list<std::string_view>
 }
 
 GridReading reading_of(const NamedPicture& picture, const NumberColumn& a, const NumberColumn& b) {
-  const bool turned = is_one_of(label_of(picture, a.number), {"x", "c", "col", "column"}) &&
-                      is_one_of(label_of(picture, b.number), {"y", "r", "row"});
+  const bool turned = is_one_of(label_of(picture, a.number), {"x", "u", "c", "col", "column"}) &&
+                      is_one_of(label_of(picture, b.number), {"y", "v", "r", "row"});
   return turned ? GridReading{&b, &a} : GridReading{&a, &b};
 }
 

@@ -153,8 +153,9 @@ tl::expected<Y4mHeader, std::string> parse_y4m_header(std::string_view line) {
     if (!take_colour_space(value, header)) return wrong(older, kNotRead);
     if (older.empty()) header.guessed = "no C word: 4:2:0";
   }
-  if (!header.chroma.there && find(kRange).empty()) {
-    header.guessed = "no XCOLORRANGE word: black is 16, white 235";
+  if (find(kRange).empty()) {
+    header.guessed += std::string(header.guessed.empty() ? "" : "; ") +
+                      "no XCOLORRANGE word: black is 16, white 235";
   }
   return header;
 }

@@ -204,6 +204,10 @@ std::optional<ErrorCode> error_from_name(std::string_view name) {
 
 io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder) {
   const auto file = folder / "manifest.json";
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) {
+    return io::file_error(folder, "no conformance suite is here; --suite names its folder");
+  }
   try {
     return manifest_from(read_json(file));
   } catch (const std::bad_alloc&) {
