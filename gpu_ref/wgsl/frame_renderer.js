@@ -18,7 +18,7 @@ const NO_ROOM = 0;
 const NOTHING_HELD = 0xffffffff;
 
 const KEPT_BYTES = 1 << 27; // of decoded blocks, between frames
-const FIRST_CAPACITY = 1 << 14; // blocks
+const FIRST_CAPACITY = 1 << 19; // blocks, at most: a frame beyond it is drawn twice
 const SLOTS = 32; // of a page
 const FRAME_WORDS = 50; // of the numbers of Frame (frame.glsl), from the pool's address on
 const UNDER_WAY = 3;
@@ -69,7 +69,7 @@ export class FrameRenderer {
     buffers.make("results", 4 * COUNTERS);
     buffers.make("frame", 4 * FRAME_WORDS);
     buffers.make("dispatches", 24, INDIRECT);
-    this.#makeRoom(FIRST_CAPACITY, 1);
+    this.#makeRoom(Math.min(FIRST_CAPACITY, 32 * words), 1);
     this.#picture = new Picture(device, facts.depth);
   }
 

@@ -1,4 +1,4 @@
-// Shows the pixels of a frame, as render.comp leaves them, on a canvas of the same size.
+// Shows the pixels of a frame, as render.comp leaves them, on a canvas of the same size: nothing where none was drawn.
 
 const CODE = `
 @group(0) @binding(0) var<storage, read> drawn: array<u32>;
@@ -10,9 +10,9 @@ const CODE = `
 
 @fragment fn texel(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
   let k = u32(at.y) * size.x + u32(at.x);
-  if (size.z == 8u) { return vec4(unpack4x8unorm(drawn[k]).rgb, 1.0); }
+  if (size.z == 8u) { return unpack4x8unorm(drawn[k]); }
   let words = vec2(drawn[2u * k], drawn[2u * k + 1u]);
-  return vec4(vec3<f32>(vec3(words.x & 0xFFFFu, words.x >> 16u, words.y & 0xFFFFu)) / f32((1u << size.z) - 1u), 1.0);
+  return vec4<f32>(vec4(words.x & 0xFFFFu, words.x >> 16u, words.y & 0xFFFFu, words.y >> 16u)) / f32((1u << size.z) - 1u);
 }`;
 
 export class Picture {

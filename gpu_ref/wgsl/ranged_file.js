@@ -4,8 +4,19 @@ export const CHUNK = 1 << 12; // bytes that come at once; ChunkedFile of gpu_ref
 const FIRST = 8 * CHUNK; // of the first answer
 const GAP = 4; // chunks between two that are fetched with them
 const MOST = 2 ** 31; // bytes of a file
+const MAGIC = [0x89, 0x48, 0x4d, 0x4c, 0x46, 0x43, 0x0d, 0x0a]; // FIL-1
 
 /** @typedef {[number, number]} Range offset and bytes */
+
+const TOO_LARGE = "limit_exceeded: the file has more than 2 GiB";
+
+/**
+ * Before room is made for as many bytes as the host says.
+ * @param {Uint8Array} bytes
+ */
+function checkMagic(bytes) {
+  if (!MAGIC.every((byte, i) => bytes[i] === byte)) throw new Error("what the host sends is no .hmlfc stream");
+}
 
 /** The bytes of the file, 0 where they have not come. */
 export class RangedFile {
@@ -18,15 +29,19 @@ export class RangedFile {
     if (answer.status !== 206) return RangedFile.#whole(address, answer);
     const size = Number(/^bytes 0-\d+\/(\d+)$/i.exec(answer.headers.get("Content-Range") ?? "")?.[1]);
     if (!Number.isSafeInteger(size)) return RangedFile.#whole(address, await fetch(address));
+    const bytes = new Uint8Array(await answer.arrayBuffer());
+    checkMagic(bytes);
     const file = new RangedFile(address, size, answer.headers.get("ETag"));
-    file.#put(0, new Uint8Array(await answer.arrayBuffer()));
+    file.#put(0, bytes);
     return file;
   }
 
   /** @param {string} address @param {Response} answer */
   static async #whole(address, answer) {
     if (!answer.ok) throw new Error(`${address}: the host answers with status ${answer.status}`);
+    if (Number(answer.headers.get("Content-Length")) > MOST) throw new Error(TOO_LARGE);
     const bytes = new Uint8Array(await answer.arrayBuffer());
+    checkMagic(bytes);
     const file = new RangedFile(address, bytes.length, null);
     file.#put(0, bytes);
     return file;
@@ -34,7 +49,7 @@ export class RangedFile {
 
   /** @param {string} address @param {number} size @param {string | null} version */
   constructor(address, size, version) {
-    if (size > MOST) throw new Error("limit_exceeded: the file has more than 2 GiB");
+    if (size > MOST) throw new Error(TOO_LARGE);
     this.address = address;
     this.size = size;
     this.received = 0; // bytes

@@ -16,8 +16,8 @@ def missing():
 
 
 # WebGPU on the browser's own software device, where there is no GPU too.
-WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan,WebGPU", "--use-vulkan=swiftshader",
-          "--use-webgpu-adapter=swiftshader", "--disable-vulkan-surface", "--ignore-gpu-blocklist")
+WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan,WebGPU", "--use-vulkan=swiftshader", "--use-gl=angle",
+          "--use-angle=swiftshader", "--use-webgpu-adapter=swiftshader", "--ignore-gpu-blocklist", "--disable-gpu-watchdog")
 
 
 class Browser:

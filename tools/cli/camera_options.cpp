@@ -58,6 +58,12 @@ void add_number(CLI::App& app, const std::string& name, T& target, const std::st
   })->default_str(standard);
 }
 
+void add_aperture(CLI::App& app, CameraOptions& options, const std::string& standard) {
+  add_integer(app, "--aperture", options.aperture, 0, kMaxAperture,
+              "2^N views on each side are blended")
+      ->default_str(standard);
+}
+
 }  // namespace
 
 CLI::Option* add_inputs(CLI::App& app, const std::string& description,
@@ -71,6 +77,13 @@ CLI::Option* add_inputs(CLI::App& app, const std::string& description,
     return true;
   };
   return add_value(app, "--inputs", "NAME=X,...", description, "", reader);
+}
+
+void add_start_camera(CLI::App& app, CameraOptions& options) {
+  add_point(app, "--camera", options.camera.position,
+            "Column, row, distance of the camera at the beginning (default: a view of the middle)");
+  add_focus(app, options);
+  add_aperture(app, options, "0");
 }
 
 void add_camera_options(CLI::App& app, CameraOptions& options) {
@@ -101,9 +114,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       {{"stream", GeometrySource::kStream}, {"plane", GeometrySource::kPlane}}, "Where things are")
       ->default_str("stream if its disparities are shared");
   add_focus(app, options);
-  add_integer(app, "--aperture", options.aperture, 0, kMaxAperture,
-              "2^N views on each side are blended")
-      ->default_str("0, with --path focus 2");
+  add_aperture(app, options, "0, with --path focus 2");
   app.add_option("--path", options.path,
                  "orbit, line, focus (a focal stack) or a JSON file of cameras")
       ->type_name("PATH");
