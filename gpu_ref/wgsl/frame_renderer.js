@@ -3,7 +3,7 @@
 // bindings are made again only where a frame of another form or with more blocks comes.
 
 import {DeviceBuffers, INDIRECT, MAP_READ, COPY_TARGET, UNIFORM, workgroupsOf} from "./device_buffers.js";
-import {FRAME_KERNELS, kernelsOf} from "./kernels.js";
+import {kernelsOf, REFERENCE_KERNELS, FRAME_KERNELS, GEOMETRY_KERNELS, PLANE_KERNELS} from "./kernels.js";
 import {Picture} from "./picture.js";
 
 /** @typedef {any} GPUDevice */
@@ -36,26 +36,29 @@ const ceilDiv = (a, b) => Math.ceil(a / b);
  * @typedef {{error: number, blocksNeeded: number, blocksDecoded: number, disparitiesLookedUp: number}} FrameResult
  */
 
+/** Kernels are compiled when they are first needed, or before by prepare(). */
 export class FrameRenderer {
   /**
-   * @param {GPUDevice} device @param {Facts} facts @param {Uint32Array} shape of the stream
-   * @param {URL} folder of the kernels
+   * Begins to compile all kernels of `folder`.
+   * @param {GPUDevice} device @param {URL} folder
    */
-  static async open(device, facts, shape, folder = new URL("./", import.meta.url)) {
-    const kernels = await kernelsOf(device, folder, FRAME_KERNELS);
-    return new FrameRenderer(device, kernels, facts, shape);
+  static prepare(device, folder) {
+    for (const names of [REFERENCE_KERNELS, FRAME_KERNELS, GEOMETRY_KERNELS, PLANE_KERNELS]) {
+      kernelsOf(device, folder, names).catch(() => {}); // told where they are used
+    }
   }
 
   /**
-   * @param {GPUDevice} device @param {Object<string, import("./kernels.js").Kernel>} kernels
-   * @param {Facts} facts @param {Uint32Array} shape
+   * @param {GPUDevice} device @param {URL} folder of the kernels
+   * @param {Facts} facts @param {Uint32Array} shape of the stream
    */
-  constructor(device, kernels, facts, shape) {
+  constructor(device, folder, facts, shape) {
     if (facts.blocks >= NO_ERROR) throw new Error("limit_exceeded: the views have 2^32 - 1 blocks or more");
     this.device = device;
+    this.folder = folder;
     this.facts = facts;
     this.shape = shape;
-    this.buffers = new DeviceBuffers(device, kernels);
+    this.buffers = new DeviceBuffers(device, {});
     const {buffers} = this;
     this.#sampleWords = 1 << (2 * facts.blockLog2 - 1);
     const words = this.#wordsOfLevel(0);
@@ -119,8 +122,10 @@ export class FrameRenderer {
    * Decodes the residuals of reference images whose tiles have come (DEC-4).
    * @param {import("./stream_client.js").TreeImage[]} images
    */
-  decodeReferences(images) {
+  async decodeReferences(images) {
+    if (images.length === 0) return;
     const {buffers} = this;
+    await this.#compiled(REFERENCE_KERNELS);
     for (const {level, row, col} of images) {
       for (let plane = 0; plane < 3; ++plane) {
         const [columns, rows] = this.shape.subarray(PLANES_AT + PLANE_WORDS * plane + 2);
@@ -148,13 +153,16 @@ export class FrameRenderer {
   }
 
   /**
-   * Draws a frame into `target`, a canvas of its size, if there is one. All that it needs has come.
+   * Draws a frame into `target`, a canvas of its size, if there is one. All that it needs has come. `kept`: the part
+   * that the frame of keep() has in what is shown.
    * @param {Uint32Array} record the frame record @param {number} stopLevel @param {any} [target] GPUCanvasContext
    * @returns {Promise<FrameResult>}
    */
-  async draw(record, stopLevel, target) {
+  async draw(record, stopLevel, target, kept = 0) {
+    await this.#compiled(FRAME_KERNELS);
+    await this.#compiled(this.#isGeometry(record, stopLevel) ? GEOMETRY_KERNELS : PLANE_KERNELS);
     for (let tries = 0;; ++tries) {
-      const counters = await this.#submit(record, stopLevel, target);
+      const counters = await this.#submit(record, stopLevel, target, kept);
       if (counters[COUNT.mode] !== NO_ROOM) {
         return {
           error: counters[COUNT.firstError] === NO_ERROR ? 0 : counters[COUNT.status],
@@ -165,6 +173,14 @@ export class FrameRenderer {
       if (tries > 0) throw new Error("the device counts other blocks for the same frame");
       this.#makeRoom(counters[COUNT.decoded], counters[COUNT.pages]);
     }
+  }
+
+  /** Keeps the frame drawn last, to be shown with the next one. */
+  keep() {
+    const {size} = this.buffers.get("drawn");
+    const encoder = this.device.createCommandEncoder();
+    encoder.copyBufferToBuffer(this.buffers.get("drawn"), 0, this.buffers.make("kept", size), 0, size);
+    this.device.queue.submit([encoder.finish()]);
   }
 
   /** R, G, B and A of the frame drawn last, for tests: 8 bits each at depth 8, else 16. */
@@ -193,6 +209,17 @@ export class FrameRenderer {
   #ring = [];
   /** @type {Picture} */
   #picture;
+
+  /** @param {string[]} names */
+  async #compiled(names) {
+    const {kernels} = this.buffers;
+    if (!names.every(name => kernels[name])) Object.assign(kernels, await kernelsOf(this.device, this.folder, names));
+  }
+
+  /** @param {Uint32Array} record @param {number} stopLevel */
+  #isGeometry(record, stopLevel) {
+    return record[37] === 1 && stopLevel === 0;
+  }
 
   /**
    * Words of one bit for each block of a level.
@@ -266,12 +293,12 @@ export class FrameRenderer {
 
   /**
    * The counters of the frame.
-   * @param {Uint32Array} record @param {number} stopLevel @param {any} target
+   * @param {Uint32Array} record @param {number} stopLevel @param {any} target @param {number} kept
    */
-  async #submit(record, stopLevel, target) {
+  async #submit(record, stopLevel, target, kept) {
     const {device, buffers} = this;
     const [width, height] = record;
-    const isGeometry = record[37] === 1 && stopLevel === 0;
+    const isGeometry = this.#isGeometry(record, stopLevel);
     const variant = isGeometry ? "_geometry" : "";
     const slot = this.#readback();
     try {
@@ -288,7 +315,7 @@ export class FrameRenderer {
       buffers.dispatchCounted(pass, "frame_samples", 12);
       buffers.dispatch(pass, `render${variant}`, groups);
       pass.end();
-      if (target) this.#picture.show(encoder, buffers, target, width, height);
+      if (target) this.#picture.show(encoder, buffers, target, width, height, kept);
       encoder.copyBufferToBuffer(buffers.get("results"), 0, slot.readback, 0, 4 * COUNTERS);
       device.queue.submit([encoder.finish()]);
       await slot.readback.mapAsync(1);

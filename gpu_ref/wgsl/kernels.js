@@ -8,10 +8,11 @@
  */
 
 export const DECODER_KERNELS = ["expand", "walk", "reference_walk", "residuals", "samples", "colour"];
-export const FRAME_KERNELS = [
-  "expand", "reference_walk", "residuals", "surface", "mark", "mark_geometry", "plan", "compact", "frame_walk",
-  "frame_samples", "render", "render_geometry",
-];
+// Those of frames: of reference images, of all frames, of frames with geometry and without.
+export const REFERENCE_KERNELS = ["expand", "reference_walk", "residuals"];
+export const FRAME_KERNELS = ["plan", "compact", "frame_walk", "frame_samples"];
+export const GEOMETRY_KERNELS = ["surface", "mark_geometry", "render_geometry"];
+export const PLANE_KERNELS = ["mark", "render"];
 
 /**
  * By device and address.

@@ -66,7 +66,7 @@ class Browser:
 
     def complaints(self):
         """What the page shows as errors, and what it wrote to the console."""
-        texts = [self.script("return document.getElementById(arguments[0]).textContent", name)
+        texts = [self.script("return document.getElementById(arguments[0])?.textContent", name)
                  for name in ("notice", "look-error", "into-error")]
         return [text for text in texts if text] + [entry["message"] for entry in self.page.get_log("browser")]
 

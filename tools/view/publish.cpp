@@ -37,10 +37,12 @@ constexpr unsigned kLoopRate = 12;  // frames per second
 constexpr int kLoopFrames = 24;
 constexpr uint32_t kLoopSide = 320;    // pixels of its longer side, at most
 constexpr uint32_t kStillSide = 1200;  // likewise
+constexpr int kAperture = 1;           // of the page, where none is told
 
 // The page's modules that other pages share, and its own.
-constexpr std::array<std::string_view, 4> kPageFiles{"player.js", "player.css", "dom.js",
-                                                     "gestures.js"};
+constexpr std::array<std::string_view, 7> kPageFiles{
+    "player.js",  "live_view.js", "player_controls.js", "tilt.js",
+    "player.css", "dom.js",       "gestures.js"};
 // What is next to the kernels and for decoding blocks alone.
 constexpr std::array<std::string_view, 5> kOtherFiles{"batch.js", "colour.wgsl", "hmlfc_gpu.js",
                                                       "samples.wgsl", "walk.wgsl"};
@@ -66,8 +68,7 @@ fs::path browser_folder() {
   throw Failure(
       ExitCode::kUsage,
       "this build of hmlfc cannot publish, because no compiler for WebAssembly was there: install "
-      "clang-16 "
-      "lld-16 libc++-16-dev-wasm32 libclang-rt-16-dev-wasm32 (Debian), and build it anew");
+      "clang-16 lld-16 libc++-16-dev-wasm32 libclang-rt-16-dev-wasm32 (Debian), and build it anew");
 }
 
 std::string escaped(std::string_view text) {
@@ -117,6 +118,8 @@ class Publication {
       const ImagePos at = Geometry(header).reference_of(0, middle);
       cameras.camera.position = {static_cast<double>(at.col), static_cast<double>(at.row), 0};
     }
+    if (!cameras.aperture) cameras.aperture = kAperture;
+    read_disparities(*cameras.camera.position);
     camera_ = cameras_of(cameras, file_).cameras.front();
   }
 
@@ -163,10 +166,38 @@ class Publication {
     return std::move(drawn.image);
   }
 
-  // The pictures for previews and for browsers that cannot draw.
+  // What the view at `at` shows: the focus in the middle, where none is told, and the focus that
+  // the page offers, that of what there is and a quarter as much on each side.
+  void read_disparities(const WorldPoint& at) {
+    const StreamHeader& header = file_.header();
+    const auto nearest = [](double place, uint32_t count) {
+      return static_cast<uint32_t>(std::clamp(std::floor(place + 0.5), 0.0, count - 1.0));
+    };
+    const auto map =
+        disparity_map(file_.decoder(), {nearest(at.v, header.rows), nearest(at.u, header.cols)});
+    io::DisparityRange range;
+    if (map) range.add(*map);
+    if (range.known == 0) return;
+    const double least = static_cast<double>(range.least) / kDisparityUnits;
+    const double most = static_cast<double>(range.greatest) / kDisparityUnits;
+    const double aside = std::max(0.5, (most - least) / 4);
+    focus_range_ = {std::max(-256.0, least - aside), std::min(256.0, most + aside)};
+    CameraOptions& cameras = options_.cameras;
+    const BlockDisparity& middle = map->at(header.width / 2u, header.height / 2u);
+    if (cameras.focus || cameras.focus_at || cameras.focus_at_infinity || middle.confidence == 0) {
+      return;
+    }
+    const double focus = static_cast<double>(middle.disparity) / kDisparityUnits;
+    cameras.focus = {focus, focus};
+  }
+
+  // The pictures for previews and for browsers that cannot draw. The still is the first frame of
+  // the page: sharp.
   void write_pictures() {
     const auto renderer = make_renderer({}, file_);
-    const RgbImage still = frame(*renderer, camera_, kStillSide);
+    Camera sharp = camera_;
+    sharp.aperture = 0;
+    const RgbImage still = frame(*renderer, sharp, kStillSide);
     still_size_ = {still.width, still.height};
     const std::string sign(kSign);
     value_or_throw(io::write_png(options_.output / "still.png", still, sign), ExitCode::kOutput);
@@ -184,25 +215,11 @@ class Publication {
                    ExitCode::kOutput);
   }
 
-  // The focus that the page offers: that of what there is, and as much again on each side.
-  std::array<double, 2> focus_range() const {
-    const StreamHeader& header = file_.header();
-    io::DisparityRange range;
-    const auto map =
-        disparity_map(file_.decoder(), {(header.rows - 1u) / 2, (header.cols - 1u) / 2});
-    if (map) range.add(*map);
-    const double least = range.known == 0 ? -4 : static_cast<double>(range.least) / kDisparityUnits;
-    const double most =
-        range.known == 0 ? 4 : static_cast<double>(range.greatest) / kDisparityUnits;
-    const double aside = std::max(0.5, (most - least) / 4);
-    return {std::max(-256.0, least - aside), std::min(256.0, most + aside)};
-  }
-
   void write_page() const {
     const std::string name = file_.path().stem().string();
     const std::string address =
         options_.address + (options_.address.empty() || options_.address.ends_with('/') ? "" : "/");
-    const auto [near, far] = focus_range();
+    const auto [near, far] = focus_range_;
     const WorldPoint& at = *camera_.position;
     write_text(options_.output / "index.html",
                filled(view::find_asset("player.html")->content,
@@ -222,6 +239,7 @@ class Publication {
   fs::path modules_;
   StreamFile file_;
   Camera camera_;
+  std::array<double, 2> focus_range_{-4, 4};
   std::array<uint32_t, 2> still_size_{};
 };
 
@@ -241,12 +259,13 @@ void add_publisher(CLI::App& program, Task& task) {
       program, task, "publish", "Make a web page that draws a light field in the visitor's browser",
       run_publish,
       R"(The folder holds the page, the stream as it is, which browsers fetch by ranges, a picture and a
-moving one for previews, and loads nothing from elsewhere. Browsers without WebGPU show the moving picture.
-In another page: <iframe src="SITE/index.html">, or SITE/embed.js and <light-field src="SITE/">.
+moving one for previews, and loads nothing from elsewhere. Browsers without WebGPU show the moving
+picture. In another page: <iframe src="SITE/index.html">, or SITE/embed.js and
+<light-field src="SITE/">.
 
 Example:
   hmlfc publish chess.hmlfc -o site --title "Chess" --text "17 x 17 photographs")");
-  add_stream(app, options.file);
+  add_stream(app, options.file)->description("An .hmlfc file");
   add_output(app, options.output, options.force, "FOLDER", "The folder to write");
   app.add_option("--title", options.title, "Title of the page (default: the name of the file)")
       ->type_name("TEXT");

@@ -3,7 +3,7 @@ customElements.define("light-field", class extends HTMLElement {
   connectedCallback() {
     const frame = document.createElement("iframe");
     frame.src = new URL("index.html", new URL(this.getAttribute("src") ?? "./", document.baseURI)).href;
-    frame.allow = "fullscreen";
+    frame.allow = "fullscreen; accelerometer; gyroscope";
     frame.setAttribute("loading", "lazy");
     frame.title = this.getAttribute("title") ?? "Light field";
     frame.style.cssText = "display: block; width: 100%; height: 100%; min-height: 20rem; border: 0";
