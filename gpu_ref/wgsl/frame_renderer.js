@@ -30,24 +30,16 @@ const LEVELS_AT = 28, LEVEL_WORDS = 16, PLANES_AT = 284, PLANE_WORDS = 16;
 
 /** @type {(a: number, b: number) => number} */
 const ceilDiv = (a, b) => Math.ceil(a / b);
+/** @type {(record: Uint32Array, stopLevel: number) => boolean} */
+const isGeometry = (record, stopLevel) => record[37] === 1 && stopLevel === 0;
 
 /**
  * `error`: of annex A, 0 for none; then the frame is black.
  * @typedef {{error: number, blocksNeeded: number, blocksDecoded: number, disparitiesLookedUp: number}} FrameResult
  */
 
-/** Kernels are compiled when they are first needed, or before by prepare(). */
+/** Kernels are compiled when they are first needed, or before by compileFrames(). */
 export class FrameRenderer {
-  /**
-   * Begins to compile all kernels of `folder`.
-   * @param {GPUDevice} device @param {URL} folder
-   */
-  static prepare(device, folder) {
-    for (const names of [REFERENCE_KERNELS, FRAME_KERNELS, GEOMETRY_KERNELS, PLANE_KERNELS]) {
-      kernelsOf(device, folder, names).catch(() => {}); // told where they are used
-    }
-  }
-
   /**
    * @param {GPUDevice} device @param {URL} folder of the kernels
    * @param {Facts} facts @param {Uint32Array} shape of the stream
@@ -160,7 +152,7 @@ export class FrameRenderer {
    */
   async draw(record, stopLevel, target, kept = 0) {
     await this.#compiled(FRAME_KERNELS);
-    await this.#compiled(this.#isGeometry(record, stopLevel) ? GEOMETRY_KERNELS : PLANE_KERNELS);
+    await this.#compiled(isGeometry(record, stopLevel) ? GEOMETRY_KERNELS : PLANE_KERNELS);
     for (let tries = 0;; ++tries) {
       const counters = await this.#submit(record, stopLevel, target, kept);
       if (counters[COUNT.mode] !== NO_ROOM) {
@@ -214,11 +206,6 @@ export class FrameRenderer {
   async #compiled(names) {
     const {kernels} = this.buffers;
     if (!names.every(name => kernels[name])) Object.assign(kernels, await kernelsOf(this.device, this.folder, names));
-  }
-
-  /** @param {Uint32Array} record @param {number} stopLevel */
-  #isGeometry(record, stopLevel) {
-    return record[37] === 1 && stopLevel === 0;
   }
 
   /**
@@ -298,8 +285,8 @@ export class FrameRenderer {
   async #submit(record, stopLevel, target, kept) {
     const {device, buffers} = this;
     const [width, height] = record;
-    const isGeometry = this.#isGeometry(record, stopLevel);
-    const variant = isGeometry ? "_geometry" : "";
+    const geometry = isGeometry(record, stopLevel);
+    const variant = geometry ? "_geometry" : "";
     const slot = this.#readback();
     try {
       this.#prepare(width, height);
@@ -307,7 +294,7 @@ export class FrameRenderer {
       const groups = [ceilDiv(width, GROUP), ceilDiv(height, GROUP)];
       const encoder = device.createCommandEncoder();
       const pass = encoder.beginComputePass();
-      if (isGeometry) buffers.dispatch(pass, "surface", workgroupsOf(ceilDiv(width, 4) * ceilDiv(height, 4)));
+      if (geometry) buffers.dispatch(pass, "surface", workgroupsOf(ceilDiv(width, 4) * ceilDiv(height, 4)));
       buffers.dispatch(pass, `mark${variant}`, groups);
       buffers.dispatch(pass, "plan", [1, 1]);
       buffers.dispatch(pass, "compact", workgroupsOf(this.#wordsOfLevel(stopLevel)));

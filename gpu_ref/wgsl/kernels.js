@@ -15,6 +15,16 @@ export const GEOMETRY_KERNELS = ["surface", "mark_geometry", "render_geometry"];
 export const PLANE_KERNELS = ["mark", "render"];
 
 /**
+ * Begins to compile those of frames; what fails is told where they are used.
+ * @param {GPUDevice} device @param {URL} folder
+ */
+export function compileFrames(device, folder) {
+  for (const names of [FRAME_KERNELS, GEOMETRY_KERNELS, PLANE_KERNELS, REFERENCE_KERNELS]) {
+    kernelsOf(device, folder, names).catch(() => {});
+  }
+}
+
+/**
  * By device and address.
  * @type {WeakMap<GPUDevice, Map<string, Promise<Kernel>>>}
  */

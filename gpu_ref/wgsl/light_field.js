@@ -1,6 +1,7 @@
 // A light field at an address, drawn on a device: loads of the stream what frames need, and draws them.
 
 import {FrameRenderer} from "./frame_renderer.js";
+import {compileFrames} from "./kernels.js";
 import {StreamClient} from "./stream_client.js";
 
 /** @typedef {import("./stream_client.js").TreeImage} TreeImage */
@@ -13,8 +14,9 @@ export class LightField {
    * @param {URL} folder of the kernels and the module
    */
   static async open(device, address, folder = new URL("./", import.meta.url), threads = undefined) {
-    FrameRenderer.prepare(device, folder);
-    const client = await StreamClient.open(address, folder, threads);
+    const opening = StreamClient.open(address, folder, threads);
+    compileFrames(device, folder); // after the stream's first bytes were asked for: hosts answer few requests at once
+    const client = await opening;
     try {
       return new LightField(client, new FrameRenderer(device, folder, client.facts, client.shape));
     } catch (error) {
