@@ -2,7 +2,7 @@
 
 import re
 
-from page_case import HEIGHT, WIDTH, IntoCase, run_in_browser
+from page_case import HEIGHT, WIDTH, IntoCase, grey, run_in_browser
 from pictures import read_png
 
 COLUMNS, ROWS = WIDTH // 4, HEIGHT // 4
@@ -22,11 +22,6 @@ def heat(part):
     """The colour of a part in [0, 1] of the way from the least to the greatest number."""
     first = min(3, int(4 * part))
     return tuple(low + (high - low) * (4 * part - first) for low, high in zip(HEAT[first], HEAT[first + 1]))
-
-
-def grey(colour):
-    """What an overlay lies over."""
-    return sum(weight * value for weight, value in zip((0.2126, 0.7152, 0.0722), colour))
 
 
 class Blocks(IntoCase):
@@ -160,6 +155,9 @@ class Blocks(IntoCase):
         from selenium.webdriver.common.keys import Keys
 
         self.look(block="10,6")
+        for key, view in (".", "1,4"), (".", "2,0"), (",", "1,4"), (",", "1,3"):
+            self.browser.element("picture").send_keys(key)
+            self.shown(view=view)
         self.browser.element("picture").send_keys(Keys.ARROW_RIGHT)
         self.shown(block="11,6")
         self.browser.until("its panel", lambda: "Block x 11, y 6" in self.browser.text("block"))
@@ -170,8 +168,7 @@ class Blocks(IntoCase):
         button.click()
         self.shown(view=image, block="11,6")
 
-    def test_large_samples_show_their_values(self):
-        """One number is written where another one was: the cell changes, and only once it has 24 pixels."""
+    def test_samples_show_their_values_from_24_pixels_on(self):
         self.look(stage="sample")
         for zoom, written in (("+" * 3, False), ("+" * 16, True)):
             self.browser.element("picture").send_keys(zoom)
@@ -179,12 +176,6 @@ class Blocks(IntoCase):
             x, y = int((500 - left) / scale), int((300 - top) / scale)
             cell = [int(left + x * scale) + 1, int(top + y * scale) + 1, int(scale) - 2, int(scale) - 2]
             self.assertEqual(len(set(self.browser.pixels("picture", *cell)[::3])) > 1, written, f"{scale} pixels a sample")
-
-    def test_keys_go_to_the_next_view(self):
-        self.look()
-        for key, view in (".", "1,4"), (".", "2,0"), (",", "1,4"):
-            self.browser.element("picture").send_keys(key)
-            self.shown(view=view)
 
     def test_clauses_have_their_text(self):
         self.look(block="10,6")
