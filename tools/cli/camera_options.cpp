@@ -24,7 +24,8 @@ void add_point(CLI::App& app, const std::string& name, std::optional<WorldPoint>
 }
 
 // --focus and --focus-at.
-void add_focus(CLI::App& app, CameraOptions& options, const std::string& standard) {
+void add_focus(CLI::App& app, CameraOptions& options, const std::string& description,
+               const std::string& standard) {
   const auto reader = [&options](const std::string& text) {
     options.focus_at_infinity = text == "inf";
     if (options.focus_at_infinity) return true;
@@ -36,8 +37,7 @@ void add_focus(CLI::App& app, CameraOptions& options, const std::string& standar
     return std::abs(first->front()) <= 256 && std::abs(last->front()) <= 256;
   };
   CLI::Option* focus =
-      add_value(app, "--focus", "D|inf|D..D",
-                "Disparity in focus, pixels per column; negative is nearer",
+      add_value(app, "--focus", "D|inf|D..D", description,
                 "a number in [-256, 256], inf, or for --path focus two, such as -1.5..2", reader)
           ->default_str(standard);
   add_numbers<2>(app, "--focus-at", "X,Y", ',', "x,y, such as 120,80",
@@ -81,8 +81,8 @@ CLI::Option* add_inputs(CLI::App& app, const std::string& description,
 
 void add_start_camera(CLI::App& app, CameraOptions& options) {
   add_point(app, "--camera", options.camera.position,
-            "Column, row, distance of the camera at the beginning (default: a view of the middle)");
-  add_focus(app, options, "what is in the middle");
+            "Column, row, distance of the camera (default: a view of the middle)");
+  add_focus(app, options, "Disparity in focus; negative is nearer", "what the middle has");
   add_aperture(app, options, "1");
 }
 
@@ -113,7 +113,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       app, "--geometry", options.geometry,
       {{"stream", GeometrySource::kStream}, {"plane", GeometrySource::kPlane}}, "Where things are")
       ->default_str("stream if its disparities are shared");
-  add_focus(app, options, "0");
+  add_focus(app, options, "Disparity in focus, pixels per column; negative is nearer", "0");
   add_aperture(app, options, "0, with --path focus 2");
   app.add_option("--path", options.path,
                  "orbit, line, focus (a focal stack) or a JSON file of cameras")
