@@ -106,10 +106,14 @@ class PublishTest(CliTest):
         self.press("\ue014", "\ue015", "+")
         after = self.equals_render()
         self.assertEqual((after["v"], after["z"]), (min(4, before["v"] + 0.25), before["z"] + 0.25))
+        self.press("]")  # to a focus that no block has
+        after = self.frame()[0]
         self.browser.actions().click(self.browser.element("frame")).perform()
         self.until("a mark", lambda: self.browser.element("mark").is_displayed())
         self.until("another focus", lambda: self.frame()[0]["focus"] != after["focus"])
         self.equals_render()
+        self.press("a", "a", "a")
+        self.assertEqual(self.equals_render()["aperture"], 0)
         self.press("?")
         self.assertTrue(self.browser.element("help").is_displayed())
         loaded = self.browser.script("return performance.getEntriesByType('resource').map(one => one.name)")

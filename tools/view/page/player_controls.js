@@ -57,7 +57,7 @@ function press(view, key, shift) {
   else if (key === "-") view.advance(-0.25);
   else if (key === "[") view.change({ focus: within(focus - 0.05, -256, 256) });
   else if (key === "]") view.change({ focus: within(focus + 0.05, -256, 256) });
-  else if (key === "a") view.slideTo({ aperture: (Math.floor(aperture) + 1) % 4 });
+  else if (key === "a") view.slideTo({ aperture: (Math.floor(view.glide?.to.aperture ?? aperture) + 1) % 4 });
   else if (key === "f") fill();
   else if (key === "0") restart(view);
   else if (key === " ") view.setOff();
