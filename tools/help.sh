@@ -10,6 +10,7 @@ Start
 
 Your light field
   encode           a folder of views to a stream
+  publish          a web page that draws it in the visitor's browser
   decode           views of a stream to PNG files
   render           novel views: one, a path or a focal stack
   picture          a view, a contact sheet, a difference or an epipolar picture

@@ -8,6 +8,7 @@ export const MAP_READ = 1, COPY_TARGET = 8, UNIFORM = 64, INDIRECT = 256;
 const COPY_SOURCE = 4, STORAGE = 128;
 const WORKGROUP = 64;
 const MOST_WORKGROUPS = 65535;
+const MOST_BYTES = 2 ** 31; // of all buffers
 
 /**
  * Workgroups, columns and rows, of a kernel with so many invocations.
@@ -52,6 +53,8 @@ export class DeviceBuffers {
     const {maxStorageBufferBindingSize, maxBufferSize} = this.device.limits;
     const most = Math.min(maxStorageBufferBindingSize, maxBufferSize);
     if (size > most) throw new Error(`limit_exceeded: ${name} takes ${size} bytes, this device binds ${most}`);
+    this.#bytes += size - (buffer?.size ?? 0);
+    if (this.#bytes > MOST_BYTES) throw new Error("limit_exceeded: the buffers take more than 2 GiB");
     buffer?.destroy();
     const own = usage & UNIFORM ? usage : usage | STORAGE | COPY_SOURCE | COPY_TARGET;
     buffer = this.device.createBuffer({label: name, size, usage: own});
@@ -83,6 +86,7 @@ export class DeviceBuffers {
 
   /** @type {Map<string, GPUBuffer>} */
   #buffers = new Map();
+  #bytes = 0;
   /**
    * Bindings by kernel, until a buffer is made anew.
    * @type {Map<string, any>}

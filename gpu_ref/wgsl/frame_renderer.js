@@ -3,7 +3,7 @@
 // bindings are made again only where a frame of another form or with more blocks comes.
 
 import {DeviceBuffers, INDIRECT, MAP_READ, COPY_TARGET, UNIFORM, workgroupsOf} from "./device_buffers.js";
-import {FRAME_KERNELS, kernelsOf} from "./kernels.js";
+import {kernelsOf, REFERENCE_KERNELS, FRAME_KERNELS, GEOMETRY_KERNELS, PLANE_KERNELS} from "./kernels.js";
 import {Picture} from "./picture.js";
 
 /** @typedef {any} GPUDevice */
@@ -18,7 +18,7 @@ const NO_ROOM = 0;
 const NOTHING_HELD = 0xffffffff;
 
 const KEPT_BYTES = 1 << 27; // of decoded blocks, between frames
-const FIRST_CAPACITY = 1 << 14; // blocks
+const FIRST_CAPACITY = 1 << 19; // blocks, at most: a frame beyond it is drawn twice
 const SLOTS = 32; // of a page
 const FRAME_WORDS = 50; // of the numbers of Frame (frame.glsl), from the pool's address on
 const UNDER_WAY = 3;
@@ -30,32 +30,27 @@ const LEVELS_AT = 28, LEVEL_WORDS = 16, PLANES_AT = 284, PLANE_WORDS = 16;
 
 /** @type {(a: number, b: number) => number} */
 const ceilDiv = (a, b) => Math.ceil(a / b);
+/** @type {(record: Uint32Array, stopLevel: number) => boolean} */
+const isGeometry = (record, stopLevel) => record[37] === 1 && stopLevel === 0;
 
 /**
  * `error`: of annex A, 0 for none; then the frame is black.
  * @typedef {{error: number, blocksNeeded: number, blocksDecoded: number, disparitiesLookedUp: number}} FrameResult
  */
 
+/** Kernels are compiled when they are first needed, or before by compileFrames(). */
 export class FrameRenderer {
   /**
-   * @param {GPUDevice} device @param {Facts} facts @param {Uint32Array} shape of the stream
-   * @param {URL} folder of the kernels
+   * @param {GPUDevice} device @param {URL} folder of the kernels
+   * @param {Facts} facts @param {Uint32Array} shape of the stream
    */
-  static async open(device, facts, shape, folder = new URL("./", import.meta.url)) {
-    const kernels = await kernelsOf(device, folder, FRAME_KERNELS);
-    return new FrameRenderer(device, kernels, facts, shape);
-  }
-
-  /**
-   * @param {GPUDevice} device @param {Object<string, import("./kernels.js").Kernel>} kernels
-   * @param {Facts} facts @param {Uint32Array} shape
-   */
-  constructor(device, kernels, facts, shape) {
+  constructor(device, folder, facts, shape) {
     if (facts.blocks >= NO_ERROR) throw new Error("limit_exceeded: the views have 2^32 - 1 blocks or more");
     this.device = device;
+    this.folder = folder;
     this.facts = facts;
     this.shape = shape;
-    this.buffers = new DeviceBuffers(device, kernels);
+    this.buffers = new DeviceBuffers(device, {});
     const {buffers} = this;
     this.#sampleWords = 1 << (2 * facts.blockLog2 - 1);
     const words = this.#wordsOfLevel(0);
@@ -69,7 +64,7 @@ export class FrameRenderer {
     buffers.make("results", 4 * COUNTERS);
     buffers.make("frame", 4 * FRAME_WORDS);
     buffers.make("dispatches", 24, INDIRECT);
-    this.#makeRoom(FIRST_CAPACITY, 1);
+    this.#makeRoom(Math.min(FIRST_CAPACITY, 32 * words), 1);
     this.#picture = new Picture(device, facts.depth);
   }
 
@@ -119,8 +114,10 @@ export class FrameRenderer {
    * Decodes the residuals of reference images whose tiles have come (DEC-4).
    * @param {import("./stream_client.js").TreeImage[]} images
    */
-  decodeReferences(images) {
+  async decodeReferences(images) {
+    if (images.length === 0) return;
     const {buffers} = this;
+    await this.#compiled(REFERENCE_KERNELS);
     for (const {level, row, col} of images) {
       for (let plane = 0; plane < 3; ++plane) {
         const [columns, rows] = this.shape.subarray(PLANES_AT + PLANE_WORDS * plane + 2);
@@ -148,13 +145,16 @@ export class FrameRenderer {
   }
 
   /**
-   * Draws a frame into `target`, a canvas of its size, if there is one. All that it needs has come.
+   * Draws a frame into `target`, a canvas of its size, if there is one. All that it needs has come. `kept`: the part
+   * that the frame of keep() has in what is shown.
    * @param {Uint32Array} record the frame record @param {number} stopLevel @param {any} [target] GPUCanvasContext
    * @returns {Promise<FrameResult>}
    */
-  async draw(record, stopLevel, target) {
+  async draw(record, stopLevel, target, kept = 0) {
+    await this.#compiled(FRAME_KERNELS);
+    await this.#compiled(isGeometry(record, stopLevel) ? GEOMETRY_KERNELS : PLANE_KERNELS);
     for (let tries = 0;; ++tries) {
-      const counters = await this.#submit(record, stopLevel, target);
+      const counters = await this.#submit(record, stopLevel, target, kept);
       if (counters[COUNT.mode] !== NO_ROOM) {
         return {
           error: counters[COUNT.firstError] === NO_ERROR ? 0 : counters[COUNT.status],
@@ -165,6 +165,14 @@ export class FrameRenderer {
       if (tries > 0) throw new Error("the device counts other blocks for the same frame");
       this.#makeRoom(counters[COUNT.decoded], counters[COUNT.pages]);
     }
+  }
+
+  /** Keeps the frame drawn last, to be shown with the next one. */
+  keep() {
+    const {size} = this.buffers.get("drawn");
+    const encoder = this.device.createCommandEncoder();
+    encoder.copyBufferToBuffer(this.buffers.get("drawn"), 0, this.buffers.make("kept", size), 0, size);
+    this.device.queue.submit([encoder.finish()]);
   }
 
   /** R, G, B and A of the frame drawn last, for tests: 8 bits each at depth 8, else 16. */
@@ -193,6 +201,12 @@ export class FrameRenderer {
   #ring = [];
   /** @type {Picture} */
   #picture;
+
+  /** @param {string[]} names */
+  async #compiled(names) {
+    const {kernels} = this.buffers;
+    if (!names.every(name => kernels[name])) Object.assign(kernels, await kernelsOf(this.device, this.folder, names));
+  }
 
   /**
    * Words of one bit for each block of a level.
@@ -266,13 +280,13 @@ export class FrameRenderer {
 
   /**
    * The counters of the frame.
-   * @param {Uint32Array} record @param {number} stopLevel @param {any} target
+   * @param {Uint32Array} record @param {number} stopLevel @param {any} target @param {number} kept
    */
-  async #submit(record, stopLevel, target) {
+  async #submit(record, stopLevel, target, kept) {
     const {device, buffers} = this;
     const [width, height] = record;
-    const isGeometry = record[37] === 1 && stopLevel === 0;
-    const variant = isGeometry ? "_geometry" : "";
+    const geometry = isGeometry(record, stopLevel);
+    const variant = geometry ? "_geometry" : "";
     const slot = this.#readback();
     try {
       this.#prepare(width, height);
@@ -280,7 +294,7 @@ export class FrameRenderer {
       const groups = [ceilDiv(width, GROUP), ceilDiv(height, GROUP)];
       const encoder = device.createCommandEncoder();
       const pass = encoder.beginComputePass();
-      if (isGeometry) buffers.dispatch(pass, "surface", workgroupsOf(ceilDiv(width, 4) * ceilDiv(height, 4)));
+      if (geometry) buffers.dispatch(pass, "surface", workgroupsOf(ceilDiv(width, 4) * ceilDiv(height, 4)));
       buffers.dispatch(pass, `mark${variant}`, groups);
       buffers.dispatch(pass, "plan", [1, 1]);
       buffers.dispatch(pass, "compact", workgroupsOf(this.#wordsOfLevel(stopLevel)));
@@ -288,7 +302,7 @@ export class FrameRenderer {
       buffers.dispatchCounted(pass, "frame_samples", 12);
       buffers.dispatch(pass, `render${variant}`, groups);
       pass.end();
-      if (target) this.#picture.show(encoder, buffers, target, width, height);
+      if (target) this.#picture.show(encoder, buffers, target, width, height, kept);
       encoder.copyBufferToBuffer(buffers.get("results"), 0, slot.readback, 0, 4 * COUNTERS);
       device.queue.submit([encoder.finish()]);
       await slot.readback.mapAsync(1);

@@ -8,10 +8,21 @@
  */
 
 export const DECODER_KERNELS = ["expand", "walk", "reference_walk", "residuals", "samples", "colour"];
-export const FRAME_KERNELS = [
-  "expand", "reference_walk", "residuals", "surface", "mark", "mark_geometry", "plan", "compact", "frame_walk",
-  "frame_samples", "render", "render_geometry",
-];
+// Those of frames: of reference images, of all frames, of frames with geometry and without.
+export const REFERENCE_KERNELS = ["expand", "reference_walk", "residuals"];
+export const FRAME_KERNELS = ["plan", "compact", "frame_walk", "frame_samples"];
+export const GEOMETRY_KERNELS = ["surface", "mark_geometry", "render_geometry"];
+export const PLANE_KERNELS = ["mark", "render"];
+
+/**
+ * Begins to compile those of frames; what fails is told where they are used.
+ * @param {GPUDevice} device @param {URL} folder
+ */
+export function compileFrames(device, folder) {
+  for (const names of [FRAME_KERNELS, GEOMETRY_KERNELS, PLANE_KERNELS, REFERENCE_KERNELS]) {
+    kernelsOf(device, folder, names).catch(() => {});
+  }
+}
 
 /**
  * By device and address.

@@ -1,6 +1,7 @@
 // A light field at an address, drawn on a device: loads of the stream what frames need, and draws them.
 
 import {FrameRenderer} from "./frame_renderer.js";
+import {compileFrames} from "./kernels.js";
 import {StreamClient} from "./stream_client.js";
 
 /** @typedef {import("./stream_client.js").TreeImage} TreeImage */
@@ -13,9 +14,11 @@ export class LightField {
    * @param {URL} folder of the kernels and the module
    */
   static async open(device, address, folder = new URL("./", import.meta.url), threads = undefined) {
-    const client = await StreamClient.open(address, folder, threads);
+    const opening = StreamClient.open(address, folder, threads);
+    compileFrames(device, folder); // after the stream's first bytes were asked for: hosts answer few requests at once
+    const client = await opening;
     try {
-      return new LightField(client, await FrameRenderer.open(device, client.facts, client.shape, folder));
+      return new LightField(client, new FrameRenderer(device, folder, client.facts, client.shape));
     } catch (error) {
       client.close();
       throw error;
@@ -56,7 +59,8 @@ export class LightField {
       await Promise.all(parts);
       const missing = needs.references.filter(image => !this.#done.has(nameOf(image)));
       for (const image of missing) this.#done.add(nameOf(image));
-      renderer.decodeReferences(missing);
+      this.#decoded = this.#decoded.then(() => renderer.decodeReferences(missing));
+      await this.#decoded;
       if (!geometry) return;
       const [row0, row1, col0, col1] = views;
       const maps = [];
@@ -71,13 +75,24 @@ export class LightField {
   }
 
   /**
-   * Draws the frame of `camera` once what it needs has come, into `target`, a canvas of its size.
+   * Draws the frame of `camera` once what it needs has come, into `target`, a canvas of its size. An aperture between
+   * two whole ones shows a part of the frame of each.
    * @param {import("./stream_client.js").FrameCamera} camera @param {number} stopLevel @param {any} target
    */
   async draw(camera, stopLevel, target) {
+    const less = Math.floor(camera.aperture);
+    const part = camera.aperture - less;
+    if (part === 0) return this.#drawWhole(camera, stopLevel, target, 0);
+    await this.#drawWhole({...camera, aperture: less}, stopLevel, undefined, 0);
+    this.renderer.keep();
+    return this.#drawWhole({...camera, aperture: less + 1}, stopLevel, target, 1 - part);
+  }
+
+  /** @param {import("./stream_client.js").FrameCamera} camera @param {number} stopLevel @param {any} target @param {number} kept */
+  async #drawWhole(camera, stopLevel, target, kept) {
     const {record, views} = await this.client.record(camera);
     await this.load(views, stopLevel, record[37] === 1 && stopLevel === 0);
-    return {views, ...await this.renderer.draw(record, stopLevel, target)};
+    return {views, ...await this.renderer.draw(record, stopLevel, target, kept)};
   }
 
   /** @type {Map<string, Promise<void>>} */
@@ -87,6 +102,11 @@ export class LightField {
    * @type {Set<string>}
    */
   #done = new Set();
+  /**
+   * Whether those have been decoded: the next ones wait for it.
+   * @type {Promise<void>}
+   */
+  #decoded = Promise.resolve();
 
   /**
    * The promise of what is made once; after a failure the next call tries again.

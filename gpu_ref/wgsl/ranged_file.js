@@ -4,8 +4,80 @@ export const CHUNK = 1 << 12; // bytes that come at once; ChunkedFile of gpu_ref
 const FIRST = 8 * CHUNK; // of the first answer
 const GAP = 4; // chunks between two that are fetched with them
 const MOST = 2 ** 31; // bytes of a file
+const MAGIC = [0x89, 0x48, 0x4d, 0x4c, 0x46, 0x43, 0x0d, 0x0a]; // FIL-1
 
 /** @typedef {[number, number]} Range offset and bytes */
+
+const TOO_LARGE = "limit_exceeded: the file has more than 2 GiB";
+const OTHER_BYTES = "the host sends other bytes than it says";
+const CHANGED = "the file has changed: load the page again";
+
+/**
+ * Another try may help.
+ * @returns {never}
+ */
+function silent() {
+  throw Object.assign(new Error("the host does not answer"), {name: "NetworkError"});
+}
+
+/**
+ * What the host answers.
+ * @param {string} address @param {Record<string, string>} [headers]
+ */
+async function ask(address, headers) {
+  const answer = await fetch(address, {headers}).catch(silent);
+  if (!answer.ok) throw new Error(`${address}: the host answers with status ${answer.status}`);
+  return answer;
+}
+
+/**
+ * The bytes of an answer, `most` of them at most.
+ * @param {Response} answer @param {number} most @param {string} tooMany
+ */
+async function bytesOf(answer, most, tooMany) {
+  /** @type {Uint8Array[]} */
+  const parts = [];
+  let size = 0;
+  const reader = /** @type {ReadableStream<Uint8Array>} */ (answer.body).getReader();
+  for (;;) {
+    const {done, value} = await reader.read().catch(silent);
+    if (done) break;
+    size += value.length;
+    if (size > most) {
+      void reader.cancel();
+      throw new Error(tooMany);
+    }
+    parts.push(value);
+  }
+  const bytes = new Uint8Array(size);
+  let at = 0;
+  for (const part of parts) {
+    bytes.set(part, at);
+    at += part.length;
+  }
+  return bytes;
+}
+
+/**
+ * What a host says of the version of its file.
+ * @param {Response} answer
+ */
+const versionOf = ({headers}) => headers.get("ETag") ?? headers.get("Last-Modified");
+
+/**
+ * First byte, last byte and size of the file in an answer with a part of it: NaN where it does not say.
+ * @param {Response} answer
+ */
+const partOf = answer =>
+    (/^bytes (\d+)-(\d+)\/(\d+)$/i.exec(answer.headers.get("Content-Range") ?? "") ?? [0, NaN, NaN, NaN]).slice(1).map(Number);
+
+/**
+ * Before room is made for as many bytes as the host says.
+ * @param {Uint8Array} bytes
+ */
+function checkMagic(bytes) {
+  if (!MAGIC.every((byte, i) => bytes[i] === byte)) throw new Error("what the host sends is no light field (.hmlfc)");
+}
 
 /** The bytes of the file, 0 where they have not come. */
 export class RangedFile {
@@ -14,19 +86,22 @@ export class RangedFile {
    * @param {string} address
    */
   static async open(address) {
-    const answer = await fetch(address, {headers: {Range: `bytes=0-${FIRST - 1}`}});
+    const answer = await ask(address, {Range: `bytes=0-${FIRST - 1}`});
     if (answer.status !== 206) return RangedFile.#whole(address, answer);
-    const size = Number(/^bytes 0-\d+\/(\d+)$/i.exec(answer.headers.get("Content-Range") ?? "")?.[1]);
-    if (!Number.isSafeInteger(size)) return RangedFile.#whole(address, await fetch(address));
-    const file = new RangedFile(address, size, answer.headers.get("ETag"));
-    file.#put(0, new Uint8Array(await answer.arrayBuffer()));
+    const [begin, , size] = partOf(answer);
+    if (begin !== 0 || !Number.isSafeInteger(size)) return RangedFile.#whole(address, await ask(address));
+    const bytes = await bytesOf(answer, FIRST, OTHER_BYTES);
+    checkMagic(bytes);
+    const file = new RangedFile(address, size, versionOf(answer));
+    file.#put(0, bytes);
     return file;
   }
 
   /** @param {string} address @param {Response} answer */
   static async #whole(address, answer) {
-    if (!answer.ok) throw new Error(`${address}: the host answers with status ${answer.status}`);
-    const bytes = new Uint8Array(await answer.arrayBuffer());
+    if (Number(answer.headers.get("Content-Length")) > MOST) throw new Error(TOO_LARGE);
+    const bytes = await bytesOf(answer, MOST, TOO_LARGE);
+    checkMagic(bytes);
     const file = new RangedFile(address, bytes.length, null);
     file.#put(0, bytes);
     return file;
@@ -34,7 +109,7 @@ export class RangedFile {
 
   /** @param {string} address @param {number} size @param {string | null} version */
   constructor(address, size, version) {
-    if (size > MOST) throw new Error("limit_exceeded: the file has more than 2 GiB");
+    if (size > MOST) throw new Error(TOO_LARGE);
     this.address = address;
     this.size = size;
     this.received = 0; // bytes
@@ -93,12 +168,14 @@ export class RangedFile {
 
   /** @param {number} begin @param {number} end */
   async #fetch(begin, end) {
-    const answer = await fetch(this.address, {headers: {Range: `bytes=${begin}-${end - 1}`}});
-    if (!answer.ok) throw new Error(`${this.address}: the host answers with status ${answer.status}`);
-    if (answer.headers.get("ETag") !== this.#version) throw new Error("the file has changed: load the page again");
-    const bytes = new Uint8Array(await answer.arrayBuffer());
+    const answer = await ask(this.address, {Range: `bytes=${begin}-${end - 1}`});
+    if (versionOf(answer) !== this.#version) throw new Error(CHANGED);
     const whole = answer.status !== 206;
-    if (bytes.length !== (whole ? this.size : end - begin)) throw new Error("the host sends other bytes than it says");
+    const [first, , size] = whole ? [begin, 0, this.size] : partOf(answer);
+    if (size !== this.size) throw new Error(CHANGED);
+    const most = whole ? size : end - begin;
+    const bytes = await bytesOf(answer, most, whole ? CHANGED : OTHER_BYTES);
+    if (first !== begin || bytes.length !== most) throw new Error(OTHER_BYTES);
     this.#put(whole ? 0 : begin, bytes);
   }
 

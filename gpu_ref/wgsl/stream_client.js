@@ -59,11 +59,11 @@ class StreamWorker {
       const {status, words} = await this.#post(call, numbers, camera, ranges);
       if (status === 0) return words;
       if (status === BAD_CAMERA) throw new Error(String.fromCharCode(...words));
-      if (status !== MISSING) throw new Error(`error ${status} of annex A`);
+      if (status !== MISSING) throw new Error(`the file of this light field is damaged (error ${status})`);
       ranges = [];
       for (let i = 0; i < words.length; i += 2) ranges.push([words[i], words[i + 1]]);
       const lacks = this.file.chunksOf(ranges).some(k => !this.has.has(k));
-      if (!lacks) throw new Error("the stream says what no file has");
+      if (!lacks) throw new Error("the file of this light field is damaged: it says what no file has");
     }
   }
 

@@ -14,7 +14,7 @@ function imports(code) {
   /** @type {Record<string, Record<string, Function>>} */
   const all = {};
   const ends = () => {
-    throw new Error("the stream takes more memory than there is");
+    throw new Error("the light field takes more memory than there is");
   };
   for (const {module: from, name} of WebAssembly.Module.imports(code)) {
     (all[from] ??= {})[name] = name === "proc_exit" ? ends : () => (name.startsWith("environ") ? 0 : EBADF);

@@ -66,7 +66,7 @@ named=$(commands | sort)
 reached=$({
   declare -f main | sed -n 's/^ *(\?\([a-z][a-z-]*\))$/\1/p'
   sed -nE 's/.*program(, task, |\.add_subcommand\()"([a-z-]+)".*/\2/p' \
-    "$root"/tools/cli/*.cpp "$root/tools/view/command.cpp"
+    "$root"/tools/cli/*.cpp "$root"/tools/view/{command,publish}.cpp
 } | sort)
 if [[ -z $named || $named != "$reached" ]]; then
   printf 'usage names\n%s\nmain has\n%s\n' "$named" "$reached"

@@ -2,7 +2,7 @@
 
 import re
 
-from page_case import HEIGHT, WIDTH, IntoCase, run_in_browser
+from page_case import HEIGHT, WIDTH, IntoCase, grey, run_in_browser
 from pictures import read_png
 
 COLUMNS, ROWS = WIDTH // 4, HEIGHT // 4
@@ -59,8 +59,8 @@ class Blocks(IntoCase):
             state = self.inspect(block)["levels"][-1]["state"]
             seen.add(state)
             x, y = 4 * block[0] + 2, 4 * block[1] + 2
-            under = decoded[3 * (WIDTH * y + x) :][:3]
-            mixed = [OPACITY * over + (1 - OPACITY) * below for over, below in zip(STATE_COLOURS[state], under)]
+            under = grey(decoded[3 * (WIDTH * y + x) :][:3])
+            mixed = [OPACITY * over + (1 - OPACITY) * under for over in STATE_COLOURS[state]]
             self.close_to(self.at(x, y), mixed, f"block {block}, {state}")
         self.assertGreater(len(seen), 1)
         self.assertLessEqual(seen, {line for line in STATE_COLOURS if line in self.browser.text("legend")})
@@ -116,7 +116,7 @@ class Blocks(IntoCase):
         drawn = self.colours(middles)
         self.look()
         for image, colour, below in zip(first.values(), drawn, self.colours(middles)):
-            mixed = [OPACITY * a + (1 - OPACITY) * b for a, b in zip(IMAGES[order.index(image) % 8], below)]
+            mixed = [OPACITY * a + (1 - OPACITY) * grey(below) for a in IMAGES[order.index(image) % 8]]
             self.close_to(colour, mixed, f"image {image}")
 
     def test_hover_shows_the_values(self):
@@ -155,6 +155,9 @@ class Blocks(IntoCase):
         from selenium.webdriver.common.keys import Keys
 
         self.look(block="10,6")
+        for key, view in (".", "1,4"), (".", "2,0"), (",", "1,4"), (",", "1,3"):
+            self.browser.element("picture").send_keys(key)
+            self.shown(view=view)
         self.browser.element("picture").send_keys(Keys.ARROW_RIGHT)
         self.shown(block="11,6")
         self.browser.until("its panel", lambda: "Block x 11, y 6" in self.browser.text("block"))
@@ -164,6 +167,15 @@ class Blocks(IntoCase):
         button = self.browser.page.find_element("xpath", f"//button[contains(., 'reference image {image}')]")
         button.click()
         self.shown(view=image, block="11,6")
+
+    def test_samples_show_their_values_from_24_pixels_on(self):
+        self.look(stage="sample")
+        for zoom, written in (("+" * 3, False), ("+" * 16, True)):
+            self.browser.element("picture").send_keys(zoom)
+            scale, left, top = self.placement()
+            x, y = int((500 - left) / scale), int((300 - top) / scale)
+            cell = [int(left + x * scale) + 1, int(top + y * scale) + 1, int(scale) - 2, int(scale) - 2]
+            self.assertEqual(len(set(self.browser.pixels("picture", *cell)[::3])) > 1, written, f"{scale} pixels a sample")
 
     def test_clauses_have_their_text(self):
         self.look(block="10,6")
@@ -293,6 +305,8 @@ class Blocks(IntoCase):
         errors = server.json("blocks", {"view": "4,4", "plane": "Y"})["errors"]
         self.assertTrue(errors)
         block, text = errors[0]
+        self.browser.element("picture").send_keys("n")
+        self.shown(block=f"{block % COLUMNS},{block // COLUMNS}")
         x, y = 4 * (block % COLUMNS), 4 * (block // COLUMNS)
         self.assertGreater(self.at(x + 1.6, y + 1.5)[0], 200, "no red cross")
         self.move_to(x + 2, y + 2).click().perform()

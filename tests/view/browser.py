@@ -16,8 +16,8 @@ def missing():
 
 
 # WebGPU on the browser's own software device, where there is no GPU too.
-WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan,WebGPU", "--use-vulkan=swiftshader",
-          "--use-webgpu-adapter=swiftshader", "--disable-vulkan-surface", "--ignore-gpu-blocklist")
+WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan,WebGPU", "--use-vulkan=swiftshader", "--use-gl=angle",
+          "--use-angle=swiftshader", "--use-webgpu-adapter=swiftshader", "--ignore-gpu-blocklist", "--disable-gpu-watchdog")
 
 
 class Browser:
@@ -66,7 +66,7 @@ class Browser:
 
     def complaints(self):
         """What the page shows as errors, and what it wrote to the console."""
-        texts = [self.script("return document.getElementById(arguments[0]).textContent", name)
+        texts = [self.script("return document.getElementById(arguments[0])?.textContent", name)
                  for name in ("notice", "look-error", "into-error")]
         return [text for text in texts if text] + [entry["message"] for entry in self.page.get_log("browser")]
 

@@ -19,6 +19,11 @@ def run_in_browser():
     main()
 
 
+def grey(colour):
+    """What an overlay lies over."""
+    return sum(weight * value for weight, value in zip((0.2126, 0.7152, 0.0722), colour))
+
+
 class PageCase(CliTest):
     @classmethod
     def prepare(cls):

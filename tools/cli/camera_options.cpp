@@ -24,7 +24,8 @@ void add_point(CLI::App& app, const std::string& name, std::optional<WorldPoint>
 }
 
 // --focus and --focus-at.
-void add_focus(CLI::App& app, CameraOptions& options) {
+void add_focus(CLI::App& app, CameraOptions& options, const std::string& description,
+               const std::string& standard) {
   const auto reader = [&options](const std::string& text) {
     options.focus_at_infinity = text == "inf";
     if (options.focus_at_infinity) return true;
@@ -36,10 +37,9 @@ void add_focus(CLI::App& app, CameraOptions& options) {
     return std::abs(first->front()) <= 256 && std::abs(last->front()) <= 256;
   };
   CLI::Option* focus =
-      add_value(app, "--focus", "D|inf|D..D",
-                "Disparity in focus, pixels per column; negative is nearer",
+      add_value(app, "--focus", "D|inf|D..D", description,
                 "a number in [-256, 256], inf, or for --path focus two, such as -1.5..2", reader)
-          ->default_str("0");
+          ->default_str(standard);
   add_numbers<2>(app, "--focus-at", "X,Y", ',', "x,y, such as 120,80",
                  "Focus on what this pixel of the (first) frame shows",
                  [&options](const auto& n) {
@@ -58,6 +58,12 @@ void add_number(CLI::App& app, const std::string& name, T& target, const std::st
   })->default_str(standard);
 }
 
+void add_aperture(CLI::App& app, CameraOptions& options, const std::string& standard) {
+  add_integer(app, "--aperture", options.aperture, 0, kMaxAperture,
+              "2^N views on each side are blended")
+      ->default_str(standard);
+}
+
 }  // namespace
 
 CLI::Option* add_inputs(CLI::App& app, const std::string& description,
@@ -71,6 +77,13 @@ CLI::Option* add_inputs(CLI::App& app, const std::string& description,
     return true;
   };
   return add_value(app, "--inputs", "NAME=X,...", description, "", reader);
+}
+
+void add_start_camera(CLI::App& app, CameraOptions& options) {
+  add_point(app, "--camera", options.camera.position,
+            "Column, row, distance of the camera (default: a view of the middle)");
+  add_focus(app, options, "Disparity in focus; negative is nearer", "what the middle has");
+  add_aperture(app, options, "1");
 }
 
 void add_camera_options(CLI::App& app, CameraOptions& options) {
@@ -100,10 +113,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       app, "--geometry", options.geometry,
       {{"stream", GeometrySource::kStream}, {"plane", GeometrySource::kPlane}}, "Where things are")
       ->default_str("stream if its disparities are shared");
-  add_focus(app, options);
-  add_integer(app, "--aperture", options.aperture, 0, kMaxAperture,
-              "2^N views on each side are blended")
-      ->default_str("0, with --path focus 2");
+  add_focus(app, options, "Disparity in focus, pixels per column; negative is nearer", "0");
+  add_aperture(app, options, "0, with --path focus 2");
   app.add_option("--path", options.path,
                  "orbit, line, focus (a focal stack) or a JSON file of cameras")
       ->type_name("PATH");

@@ -44,6 +44,9 @@ struct CameraOptions {
 CLI::Option* add_inputs(CLI::App& app, const std::string& description,
                         std::function<void(const hmlfc_dut_camera&)> store);
 
+/// Adds --camera, --focus, --focus-at and --aperture.
+void add_start_camera(CLI::App& app, CameraOptions& options);
+
 /// Adds --camera, --look-at, --fov, --size, --filter, --geometry, --focus, --focus-at, --aperture,
 /// --path, --frames, --inputs and those of the light field's own geometry.
 void add_camera_options(CLI::App& app, CameraOptions& options);

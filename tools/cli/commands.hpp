@@ -33,7 +33,8 @@ void add_conform(CLI::App& program, Task& task);
 void add_serve(CLI::App& program, Task& task);
 void add_minimise(CLI::App& program, Task& task);
 void add_fuzz_dut(CLI::App& program, Task& task);
-/// `hmlfc view`; it is in tools/view/.
+/// `hmlfc view` and `hmlfc publish`; they are in tools/view/.
 void add_viewer(CLI::App& program, Task& task);
+void add_publisher(CLI::App& program, Task& task);
 
 }  // namespace hmlfc::cli

@@ -69,7 +69,8 @@ using AddCommand = void (*)(CLI::App& program, Task& task);
 const std::pair<const char*, std::vector<AddCommand>> kGroups[] = {
     {"Start", {add_synth, add_encode, add_viewer}},
     {"Your light field",
-     {add_decode, add_render, add_picture, add_compare, add_info, add_disparity, add_convert}},
+     {add_publisher, add_decode, add_render, add_picture, add_compare, add_info, add_disparity,
+      add_convert}},
     {"Your decoder", {add_conform, add_inspect, add_minimise, add_fuzz_dut, add_vectors}},
     {"More", {add_bise, add_reference_area, add_serve}}};
 

@@ -2,6 +2,7 @@
 import { context } from "./dom.js";
 
 const MOST = 64; // pixels of the screen for a sample
+const WRITTEN = 24; // pixels of the screen for a sample, from which its value stands in it
 const DRAWN = 9; // pixels of the screen for a block, from which lines between blocks and heads of arrows are drawn
 
 /**
@@ -10,6 +11,7 @@ const DRAWN = 9; // pixels of the screen for a block, from which lines between b
  * @property {HTMLCanvasElement | null} under the picture to blend with
  * @property {number} blend part of `under`, [0, 1]
  * @property {any} blocks what the server says of the plane, or null
+ * @property {((x: number, y: number) => string) | null} value of a sample of the plane
  * @property {number} side samples of a block in the picture
  * @property {(string | null)[]} colours of blocks
  * @property {boolean} showBlocks
@@ -117,14 +119,18 @@ export class BlockCanvas {
     const draw = context(this.target);
     draw.imageSmoothingEnabled = false;
     draw.setTransform(ratio * this.scale, 0, 0, ratio * this.scale, ratio * this.x, ratio * this.y);
-    const { picture, under, blend } = this.layers;
+    const { picture, under, blend, colours } = this.layers;
+    // Colours of an overlay mean something: they lie over grey.
+    if (colours.some((colour) => colour !== null)) draw.filter = "grayscale(1)";
     draw.drawImage(picture, 0, 0);
     if (under && blend > 0) {
       draw.globalAlpha = blend;
       draw.drawImage(under, 0, 0, picture.width, picture.height);
       draw.globalAlpha = 1;
     }
+    draw.filter = "none";
     if (this.layers.blocks) this.drawBlocks(draw, this.layers);
+    if (this.layers.blocks && this.layers.value) this.write(draw, this.layers, this.layers.value);
     Object.assign(this.target.dataset, { scale: this.scale, x: this.x, y: this.y });
     this.twin?.follow(this);
   }
@@ -171,6 +177,29 @@ export class BlockCanvas {
       draw.strokeStyle = colour;
       draw.lineWidth = width * pixel;
       draw.strokeRect(x * side, y * side, side, side);
+    }
+  }
+
+  /**
+   * The value of each sample in it, where there is room.
+   * @param {CanvasRenderingContext2D} draw @param {Layers} layers @param {(x: number, y: number) => string} value
+   */
+  write(draw, { picture, blocks }, value) {
+    const unit = picture.width / blocks.width;
+    const side = unit * this.scale;
+    if (side < WRITTEN) return;
+    const ends = (/** @type {number} */ at, /** @type {number} */ room, /** @type {number} */ count) =>
+      [Math.max(0, Math.floor(-at / side)), Math.min(count, Math.ceil((room - at) / side))];
+    const [left, right] = ends(this.x, this.target.clientWidth, blocks.width);
+    const [top, bottom] = ends(this.y, this.target.clientHeight, blocks.height);
+    Object.assign(draw, { font: `${unit * 0.38}px ui-monospace, monospace`, textAlign: "center", textBaseline: "middle" });
+    Object.assign(draw, { fillStyle: "#fff", strokeStyle: "#000c", lineWidth: unit * 0.1, lineJoin: "round" });
+    for (let y = top; y < bottom; ++y) {
+      for (let x = left; x < right; ++x) {
+        const text = value(x, y);
+        draw.strokeText(text, (x + 0.5) * unit, (y + 0.5) * unit, unit * 0.9);
+        draw.fillText(text, (x + 0.5) * unit, (y + 0.5) * unit, unit * 0.9);
+      }
     }
   }
 

@@ -97,6 +97,10 @@ export class Into {
     const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
     if (key === "+" || key === "=") this.canvas.zoom(1.25);
     else if (key === "-") this.canvas.zoom(0.8);
+    else if (key === ",") this.step(-1);
+    else if (key === ".") this.step(1);
+    else if (key === "n") this.stepToError(1);
+    else if (key === "p") this.stepToError(-1);
     else if (key in arrows && this.blocks) {
       const [x, y] = this.place.block ?? [0, 0];
       const [right, down] = arrows[key];
@@ -104,6 +108,29 @@ export class Into {
       this.change({ block: [column, Math.max(0, Math.min(this.blocks.rows - 1, y + down))] });
     } else return false;
     return true;
+  }
+
+  /**
+   * To the next view, row by row, or to the one before.
+   * @param {1 | -1} by
+   */
+  step(by) {
+    const { rows, cols } = this.stream;
+    const view = (this.place.row * cols + this.place.col + by + rows * cols) % (rows * cols);
+    this.change({ row: Math.floor(view / cols), col: view % cols });
+  }
+
+  /**
+   * To the next block with an error in this plane, or to the one before.
+   * @param {1 | -1} by
+   */
+  stepToError(by) {
+    const { columns, errors } = this.blocks ?? { columns: 1, errors: [] };
+    const numbers = errors.map((/** @type {[number, string]} */ [number]) => number).sort((/** @type {number} */ a, /** @type {number} */ b) => by * (a - b));
+    if (numbers.length === 0) return;
+    const [x, y] = this.place.block ?? [-1, 0];
+    const next = numbers.find((/** @type {number} */ number) => by * (number - (y * columns + x)) > 0) ?? numbers[0];
+    this.change({ block: [next % columns, Math.floor(next / columns)] });
   }
 
   /** @param {Partial<Place>} changes */
@@ -163,14 +190,14 @@ export class Into {
         ? { ...told, ...await pictures.once("dut-blocks", plane, (query) => askJson("dut-blocks", query)) } : told;
       const rgb = await pictures.rgb("picture", view).catch(() => null);
       const stage = rgb === null && place.stage === "picture" ? "sample" : place.stage;
-      const { shown, samples } = await pictures.stage(stage, plane, blocks);
-      const beside = place.beside === "none" ? null : (await pictures.stage(place.beside, plane, blocks)).shown;
+      const shown = await pictures.stage(stage, plane, blocks);
+      const beside = place.beside === "none" ? null : await pictures.stage(place.beside, plane, blocks);
       const block = place.block && place.block[0] < blocks.columns && place.block[1] < blocks.rows ? place.block : null;
       const query = { ...plane, block: block?.join(",") ?? "" };
       const answer = block && (await pictures.once("block", query, (asked) => askJson("block", asked)));
       if (number !== this.number) return;
       this.blocks = blocks;
-      this.samples = samples;
+      this.samples = shown.samples;
       this.draw(shown, beside, rgb, blocks, block);
       showBlock(answer, (row, col) => this.change({ row, col }));
       say("into-error", "");
@@ -191,15 +218,17 @@ export class Into {
   }
 
   /**
-   * @param {HTMLCanvasElement} shown @param {HTMLCanvasElement | null} beside @param {HTMLCanvasElement | null} rgb
+   * @param {import("./plane_pictures.js").Picture} shown @param {import("./plane_pictures.js").Picture | null} beside
+   * @param {HTMLCanvasElement | null} rgb
    * @param {any} blocks @param {[number, number] | null} block
    */
   draw(shown, beside, rgb, blocks, block) {
     const overlay = overlayOf(this.place.overlay, blocks);
     showLegend(overlay);
-    const layers = (/** @type {HTMLCanvasElement} */ picture) => ({
+    const layers = (/** @type {import("./plane_pictures.js").Picture} */ { shown: picture, samples }) => ({
       // A plane of chroma may have half the samples of the picture.
-      picture, under: rgb, blend: Number(input("blend").value) / 100, blocks,
+      picture, value: samples && ((/** @type {number} */ x, /** @type {number} */ y) => String(sampleAt(samples, y * blocks.width + x) ?? "")),
+      under: rgb, blend: Number(input("blend").value) / 100, blocks,
       side: this.stream.block * (picture.width > blocks.width ? 2 : 1), colours: overlay.colours,
       showBlocks: this.place.blocks, showTiles: this.place.tiles, showVectors: this.place.vectors,
       pinned: block === null ? null : block[1] * blocks.columns + block[0],

@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+"""hmlfc publish: its page in Chromium, with and without WebGPU, on hosts with and without ranges.
+
+usage: publish_test.py HMLFC
+"""
+
+import http.server
+import itertools
+import json
+import random
+import re
+import threading
+from pathlib import Path
+
+from browser import WEBGPU, Browser
+from page_case import run_in_browser
+from pictures import read_png
+from program import CliTest
+
+PATIENCE = 400  # seconds: frames and kernels take long on a software device of a busy machine
+TITLE, TEXT = 'Cards & "cups" <b>', "25 photographs of a table"
+
+
+class Handler(http.server.SimpleHTTPRequestHandler):
+    """A host of static files; it answers requests for ranges where `ranges` is set."""
+
+    root, ranges, versions = None, True, None
+
+    def translate_path(self, path):
+        return str(Handler.root / path.split("?")[0].lstrip("/"))
+
+    def do_GET(self):
+        wanted = re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers.get("Range", ""))
+        if not wanted or not Handler.ranges:
+            return super().do_GET()
+        data = Path(self.translate_path(self.path)).read_bytes()
+        part = data[int(wanted[1]):int(wanted[2]) + 1]
+        self.send_response(206)
+        if Handler.versions:
+            self.send_header("ETag", f'"{next(Handler.versions)}"')
+        self.send_header("Content-Type", "application/octet-stream")
+        self.send_header("Content-Range", f"bytes {wanted[1]}-{int(wanted[1]) + len(part) - 1}/{len(data)}")
+        self.send_header("Content-Length", str(len(part)))
+        self.end_headers()
+        self.wfile.write(part)
+
+    def log_message(self, *_):
+        pass
+
+
+class PublishTest(CliTest):
+    @classmethod
+    def prepare(cls):
+        cls.hmlfc(*"synth --scene cards --grid 5x5 --size 96x64 --baseline 3 -o views".split())
+        cls.hmlfc(*"encode views -o a.hmlfc".split())
+        cls.hmlfc("publish", "a.hmlfc", "-o", "site", "--title", TITLE, "--text", TEXT, "--address", "https://example.org/x")
+        Handler.root = cls.folder / "site"
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        cls.addClassCleanup(server.shutdown)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        cls.address = f"http://127.0.0.1:{server.server_port}/"
+        cls.browser = Browser(cls.folder / "profile", WEBGPU)
+        cls.addClassCleanup(cls.browser.end)
+        cls.browser.page.set_script_timeout(PATIENCE)
+
+    def until_drawn(self):
+        """Waits for the first frame, or for the sentence instead of it, which it gives."""
+        self.until("a frame or a sentence", lambda: self.browser.script(
+            "const { classList } = document.body; return classList.contains('live') || classList.contains('recorded')"))
+        return self.browser.text("notice")
+
+    def until(self, what, condition):
+        return self.browser.until(what, condition, PATIENCE)
+
+    def frame(self):
+        """The camera of the frame that stays, and its samples."""
+        camera, texels = self.browser.page.execute_async_script("""
+            const done = arguments[0];
+            (async () => {
+              const player = await (await import('/app/player.js')).player;
+              while (player.drawing || player.wanted || player.glide) await new Promise(next => setTimeout(next, 20));
+              done([player.canvas.dataset.drawn, Array.from(await player.field.renderer.pixels())]);
+            })().catch(error => done([String(error), []]));""")
+        return json.loads(camera), bytes(value for at, value in enumerate(texels) if at % 4 != 3)
+
+    def equals_render(self):
+        camera, samples = self.frame()
+        words = "--camera {u},{v},{z} --look-at {atU},{atV},{atZ} --size {width}x{height}".format(**camera).split()
+        geometry = "stream" if camera["geometry"] and not camera["aperture"] else "plane"
+        self.hmlfc("render", "a.hmlfc", *words, "--focus", str(camera["focus"]), "--aperture", str(camera["aperture"]),
+                   "--geometry", geometry, "-o", "frame.png")
+        self.assertEqual(samples, bytes(read_png(self.folder / "frame.png").samples))
+        return camera
+
+    def press(self, *keys):
+        self.browser.element("frame").send_keys(*keys)
+
+    def test_live(self):
+        """One visit, since kernels take long to compile."""
+        self.browser.open(self.address)
+        self.assertEqual(self.until_drawn(), "")
+        self.until("an idle camera", lambda: self.frame_place() != "2,2")
+        self.press(" ")
+        before = self.equals_render()
+        self.assertEqual(before["aperture"], 1)
+        self.press("\ue014", "\ue015", "+")
+        after = self.equals_render()
+        self.assertEqual((after["v"], after["z"]), (min(4, before["v"] + 0.25), before["z"] + 0.25))
+        self.press("]")  # to a focus that no block has
+        after = self.frame()[0]
+        self.browser.actions().click(self.browser.element("frame")).perform()
+        self.until("a mark", lambda: self.browser.element("mark").is_displayed())
+        self.until("another focus", lambda: self.frame()[0]["focus"] != after["focus"])
+        self.equals_render()
+        self.press("a", "a", "a")
+        self.assertEqual(self.equals_render()["aperture"], 0)
+        self.press("?")
+        self.assertTrue(self.browser.element("help").is_displayed())
+        loaded = self.browser.script("return performance.getEntriesByType('resource').map(one => one.name)")
+        self.assertEqual([name for name in loaded if not name.startswith((self.address, "data:"))], [])
+        self.assertEqual(self.browser.complaints(), [])
+        self.apertures_between()
+        self.lost_device()
+
+    def test_host_without_ranges(self):
+        Handler.ranges = False
+        try:
+            self.browser.open(self.address)
+            self.assertEqual(self.until_drawn(), "")
+            self.press(" ")
+            self.equals_render()
+        finally:
+            Handler.ranges = True
+
+    def apertures_between(self):
+        """What is shown of a frame between two apertures is the sum of their parts."""
+        shown = [self.shown(aperture) for aperture in (1, 1.25, 2)]
+        self.assertTrue(shown[0] != shown[2])
+        worst = max(abs(0.75 * one + 0.25 * two - between) for one, between, two in zip(*shown))
+        self.assertLess(worst, 1)
+
+    def shown(self, aperture):
+        return self.browser.page.execute_async_script("""
+            const [aperture, done] = arguments;
+            (async () => {
+              const player = await (await import('/app/player.js')).player;
+              player.end();
+              const {canvas: {width, height}, field: {renderer: {device}}} = player;
+              const texture = device.createTexture(
+                  {size: [width, height], format: navigator.gpu.getPreferredCanvasFormat(), usage: 16 | 1});
+              const camera = {...player.frameCamera(), u: 2, v: 2, focus: 0, aperture};
+              await player.field.draw(camera, 0, {getCurrentTexture: () => texture});
+              const bytesPerRow = 256 * Math.ceil(width / 64);
+              const buffer = device.createBuffer({size: bytesPerRow * height, usage: 1 | 8});
+              const encoder = device.createCommandEncoder();
+              encoder.copyTextureToBuffer({texture}, {buffer, bytesPerRow}, [width, height]);
+              device.queue.submit([encoder.finish()]);
+              await buffer.mapAsync(1);
+              done(Array.from(new Uint8Array(buffer.getMappedRange())).filter((_, at) => at % bytesPerRow < 4 * width));
+            })().catch(error => done(String(error)));""", aperture)
+
+    def frame_place(self):
+        camera = json.loads(self.browser.script("return document.getElementById('frame').dataset.drawn"))
+        return f"{camera['u']},{camera['v']}"
+
+    def lost_device(self):
+        self.browser.script("import('/app/player.js').then(page => page.player)"
+                            ".then(({field}) => field.renderer.device.destroy())")
+        self.assertIn("device was lost", self.until("a sentence", lambda: self.browser.text("notice")))
+        self.assertTrue(self.browser.script("return document.getElementById('still').src").endswith("loop.png"))
+        self.browser.page.get_log("browser")
+
+    def test_damage(self):
+        stream = Handler.root / "light-field.hmlfc"
+        intact = stream.read_bytes()
+        noise = random.Random(1).randbytes(len(intact))
+        damages = ((intact[:400] + noise[400:], "A part of this light field is damaged"), (intact[:2000], "is damaged (error 1)"),
+                   (noise, "no light field"))
+        for damaged, wanted in damages:
+            with self.subTest(wanted):
+                stream.write_bytes(damaged)
+                try:
+                    self.browser.open(self.address)
+                    self.assertIn(wanted, self.until_drawn())
+                finally:
+                    stream.write_bytes(intact)
+        self.browser.page.get_log("browser")  # says why, too
+
+    def test_a_file_that_changes(self):
+        stream = Handler.root / "light-field.hmlfc"
+        intact = stream.read_bytes()
+        self.hmlfc(*"encode views -o large.hmlfc --lossless".split())
+        stream.write_bytes((self.folder / "large.hmlfc").read_bytes())
+        Handler.versions = itertools.count()
+        try:
+            self.browser.open(self.address)
+            self.assertIn("file has changed", self.until_drawn())
+        finally:
+            Handler.versions = None
+            stream.write_bytes(intact)
+        self.browser.page.get_log("browser")
+
+    def test_page(self):
+        page = (Handler.root / "index.html").read_text()
+        for part in ("<title>Cards &amp; &quot;cups&quot; &lt;b&gt;</title>", f'content="{TEXT}"',
+                     'content="https://example.org/x/still.png"', "default-src 'none'"):
+            self.assertIn(part, page)
+        self.assertNotIn("{{", page)
+        self.assertEqual((Handler.root / "light-field.hmlfc").read_bytes(), (self.folder / "a.hmlfc").read_bytes())
+        self.assertIn(b"acTL", (Handler.root / "loop.png").read_bytes()[:200])
+        self.hmlfc("publish", "a.hmlfc", "-o", "site", "--title", TITLE, "--text", TEXT, "--address", "https://example.org/x")
+
+    def test_without_webgpu(self):
+        browser = Browser(self.folder / "plain")
+        try:
+            browser.open(self.address)
+            text = browser.until("a sentence", lambda: browser.text("notice"), PATIENCE)
+            self.assertIn("no WebGPU", text)
+            self.assertTrue(browser.script("return document.getElementById('still').src").endswith("loop.png"))
+        finally:
+            browser.end()
+
+
+if __name__ == "__main__":
+    run_in_browser()

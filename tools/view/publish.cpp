@@ -1,0 +1,278 @@
+// hmlfc publish: a light field as a folder of files for any web server, drawn in the visitor's
+// browser.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <hmlfc/disparity.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/camera_path.hpp"
+#include "cli/commands.hpp"
+#include "cli/render_backend.hpp"
+#include "io/disparity_range.hpp"
+#include "io/files.hpp"
+#include "io/image_files.hpp"
+#include "syntax/geometry.hpp"
+#include "terminal/progress_bar.hpp"
+#include "view/assets.hpp"
+
+namespace hmlfc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kSign = "hmlfc publish";
+constexpr std::string_view kStream = "light-field.hmlfc";
+constexpr unsigned kLoopRate = 12;  // frames per second
+constexpr int kLoopFrames = 24;
+constexpr uint32_t kLoopSide = 320;    // pixels of its longer side, at most
+constexpr uint32_t kStillSide = 1200;  // likewise
+constexpr int kAperture = 1;           // of the page, where none is told
+
+// The page's modules that other pages share, and its own.
+constexpr std::array<std::string_view, 7> kPageFiles{
+    "player.js",  "live_view.js", "player_controls.js", "tilt.js",
+    "player.css", "dom.js",       "gestures.js"};
+// What is next to the kernels and for decoding blocks alone.
+constexpr std::array<std::string_view, 5> kOtherFiles{"batch.js", "colour.wgsl", "hmlfc_gpu.js",
+                                                      "samples.wgsl", "walk.wgsl"};
+
+struct PublishOptions {
+  fs::path file;
+  fs::path output;
+  bool force = false;
+  std::string title;
+  std::string text;
+  std::string address;
+  CameraOptions cameras;
+};
+
+// The folder of kernels and module: of the build, or installed.
+fs::path browser_folder() {
+  std::error_code ignored;
+  const fs::path bin = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const char* place : {"../gpu_ref/wgsl", "../share/hmlfc/wgsl"}) {
+    if (fs::exists(bin / place / "hmlfc_stream.wasm", ignored))
+      return (bin / place).lexically_normal();
+  }
+  throw Failure(
+      ExitCode::kUsage,
+      "this build of hmlfc cannot publish, because no compiler for WebAssembly was there: install "
+      "clang-16 lld-16 libc++-16-dev-wasm32 libclang-rt-16-dev-wasm32 (Debian), and build it anew");
+}
+
+std::string escaped(std::string_view text) {
+  std::string html;
+  for (const char c : text) {
+    const std::string_view specials = "&<>\"";
+    const std::array<std::string_view, 4> names{"&amp;", "&lt;", "&gt;", "&quot;"};
+    const size_t at = specials.find(c);
+    html += at == specials.npos ? std::string(1, c) : std::string(names[at]);
+  }
+  return html;
+}
+
+// `page` with the value of each name in place of {{name}}.
+std::string filled(std::string_view page,
+                   const std::vector<std::pair<std::string_view, std::string>>& values) {
+  std::string text(page);
+  for (const auto& [name, value] : values) {
+    const std::string place = fmt::format("{{{{{}}}}}", name);
+    for (size_t at = text.find(place); at != text.npos; at = text.find(place, at + value.size())) {
+      text.replace(at, place.size(), value);
+    }
+  }
+  return text;
+}
+
+// The frame size of a view, made smaller until its longer side has `most` pixels.
+void set_size(Camera& camera, const StreamHeader& header, uint32_t most) {
+  const double longer = std::max(header.width, header.height);
+  const double scale = std::min(1.0, most / longer);
+  camera.frame_width = std::max(1u, static_cast<uint32_t>(std::lround(header.width * scale)));
+  camera.frame_height = std::max(1u, static_cast<uint32_t>(std::lround(header.height * scale)));
+}
+
+class Publication {
+ public:
+  explicit Publication(const PublishOptions& options)
+      : options_(options), modules_(browser_folder()), file_(options.file) {
+    if (file_.is_remote()) {
+      throw Failure(ExitCode::kUsage, options.file.string() + ": publish a file, not an address");
+    }
+    // The reference view of the middle: no view takes fewer bytes.
+    const StreamHeader& header = file_.header();
+    CameraOptions& cameras = options_.cameras;
+    if (!cameras.camera.position) {
+      const ImagePos middle{(header.rows - 1u) / 2, (header.cols - 1u) / 2};
+      const ImagePos at = Geometry(header).reference_of(0, middle);
+      cameras.camera.position = {static_cast<double>(at.col), static_cast<double>(at.row), 0};
+    }
+    if (!cameras.aperture) cameras.aperture = kAperture;
+    read_disparities(*cameras.camera.position);
+    camera_ = cameras_of(cameras, file_).cameras.front();
+  }
+
+  void write() {
+    make_output_folder(options_.output, {"index.html", "still.png", "loop.png"},
+                       {kSign, options_.force, {options_.file}});
+    make_output_folder(options_.output / "app");
+    copy(options_.file, options_.output / kStream);
+    write_pictures();
+    write_page();
+    for (const auto& entry : fs::directory_iterator(modules_)) {
+      const std::string name = entry.path().filename().string();
+      if (std::ranges::find(kOtherFiles, name) == kOtherFiles.end()) {
+        copy(entry.path(), options_.output / "app" / name);
+      }
+    }
+    for (const std::string_view name : kPageFiles) write_asset(name, options_.output / "app");
+    write_asset("embed.js", options_.output);
+  }
+
+ private:
+  static void copy(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    if (fs::equivalent(from, to, error)) return;
+    fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+    if (error) throw Failure(ExitCode::kOutput, to.string() + ": " + error.message());
+  }
+
+  static void write_text(const fs::path& path, std::string_view text) {
+    const auto* bytes = reinterpret_cast<const uint8_t*>(text.data());
+    value_or_throw(io::write_file(path, {bytes, text.size()}), ExitCode::kOutput);
+  }
+
+  static void write_asset(std::string_view name, const fs::path& folder) {
+    write_text(folder / name, view::find_asset(name)->content);
+  }
+
+  RgbImage frame(FrameRenderer& renderer, Camera camera, uint32_t side) {
+    set_size(camera, file_.header(), side);
+    const auto record = frame_record(camera, file_.header());
+    if (!record) throw Failure(ExitCode::kUsage, record.error().message);
+    Frame drawn;
+    file_.value(renderer.render(*record, 0, drawn));
+    return std::move(drawn.image);
+  }
+
+  // What the view at `at` shows: the focus in the middle, where none is told, and the focus that
+  // the page offers, that of what there is and a quarter as much on each side.
+  void read_disparities(const WorldPoint& at) {
+    const StreamHeader& header = file_.header();
+    const auto nearest = [](double place, uint32_t count) {
+      return static_cast<uint32_t>(std::clamp(std::floor(place + 0.5), 0.0, count - 1.0));
+    };
+    const auto map =
+        disparity_map(file_.decoder(), {nearest(at.v, header.rows), nearest(at.u, header.cols)});
+    io::DisparityRange range;
+    if (map) range.add(*map);
+    if (range.known == 0) return;
+    const double least = static_cast<double>(range.least) / kDisparityUnits;
+    const double most = static_cast<double>(range.greatest) / kDisparityUnits;
+    const double aside = std::max(0.5, (most - least) / 4);
+    focus_range_ = {std::max(-256.0, least - aside), std::min(256.0, most + aside)};
+    CameraOptions& cameras = options_.cameras;
+    const BlockDisparity& middle = map->at(header.width / 2u, header.height / 2u);
+    if (cameras.focus || cameras.focus_at || cameras.focus_at_infinity || middle.confidence == 0) {
+      return;
+    }
+    const double focus = static_cast<double>(middle.disparity) / kDisparityUnits;
+    cameras.focus = {focus, focus};
+  }
+
+  // The pictures for previews and for browsers that cannot draw. The still is the first frame of
+  // the page: sharp.
+  void write_pictures() {
+    const auto renderer = make_renderer({}, file_);
+    Camera sharp = camera_;
+    sharp.aperture = 0;
+    const RgbImage still = frame(*renderer, sharp, kStillSide);
+    still_size_ = {still.width, still.height};
+    const std::string sign(kSign);
+    value_or_throw(io::write_png(options_.output / "still.png", still, sign), ExitCode::kOutput);
+    CameraOptions loop = options_.cameras;
+    loop.path = "orbit";
+    loop.frames = kLoopFrames;
+    std::vector<RgbImage> frames;
+    terminal::ProgressBar progress("Rendering", "frames");
+    for (const Camera& camera : cameras_of(loop, file_).cameras) {
+      frames.push_back(frame(*renderer, camera, kLoopSide));
+      progress.update(frames.size(), kLoopFrames);
+    }
+    progress.clear();
+    value_or_throw(io::write_apng(options_.output / "loop.png", frames, kLoopRate, sign),
+                   ExitCode::kOutput);
+  }
+
+  void write_page() const {
+    const std::string name = file_.path().stem().string();
+    const std::string address =
+        options_.address + (options_.address.empty() || options_.address.ends_with('/') ? "" : "/");
+    const auto [near, far] = focus_range_;
+    const WorldPoint& at = *camera_.position;
+    write_text(options_.output / "index.html",
+               filled(view::find_asset("player.html")->content,
+                      {{"title", escaped(options_.title.empty() ? name : options_.title)},
+                       {"text", escaped(options_.text)},
+                       {"address", escaped(address)},
+                       {"width", std::to_string(still_size_[0])},
+                       {"height", std::to_string(still_size_[1])},
+                       {"camera", fmt::format("{},{},{}", at.u, at.v, at.z)},
+                       {"focus", fmt::format("{}", camera_.focus)},
+                       {"aperture", std::to_string(camera_.aperture)},
+                       {"near", fmt::format("{:.2f}", near)},
+                       {"far", fmt::format("{:.2f}", far)}}));
+  }
+
+  PublishOptions options_;
+  fs::path modules_;
+  StreamFile file_;
+  Camera camera_;
+  std::array<double, 2> focus_range_{-4, 4};
+  std::array<uint32_t, 2> still_size_{};
+};
+
+ExitCode run_publish(const PublishOptions& options) {
+  Publication(options).write();
+  print(fmt::format(
+      "{0}: copy this folder to a web server, best one that answers requests for ranges; here:\n"
+      "  python3 -m http.server -d {0} 8000    # then open http://127.0.0.1:8000/\n",
+      options.output.string()));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_publisher(CLI::App& program, Task& task) {
+  const auto [app, options] = add_command(
+      program, task, "publish", "Make a web page that draws a light field in the visitor's browser",
+      run_publish,
+      R"(The folder holds the page, the stream as it is, which browsers fetch by ranges, a picture and a
+moving one for previews, and loads nothing from elsewhere. Browsers without WebGPU show the moving
+picture. In another page: <iframe src="SITE/index.html">, or SITE/embed.js and
+<light-field src="SITE/">.
+
+Example:
+  hmlfc publish chess.hmlfc -o site --title "Chess" --text "17 x 17 photographs")");
+  add_stream(app, options.file)->description("An .hmlfc file");
+  add_output(app, options.output, options.force, "FOLDER", "The folder to write");
+  app.add_option("--title", options.title, "Title of the page (default: the name of the file)")
+      ->type_name("TEXT");
+  app.add_option("--text", options.text, "A sentence about it")->type_name("TEXT");
+  app.add_option("--address", options.address, "Where the folder will be, for previews by others")
+      ->type_name("URL");
+  add_start_camera(app, options.cameras);
+}
+
+}  // namespace hmlfc::cli
