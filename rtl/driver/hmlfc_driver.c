@@ -76,7 +76,7 @@ int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, 
                     const struct hmlfc_buffer* area) {
   uint32_t status;
   if (!is_place(stream_bus, stream->bytes) || !is_place(area->bus, area->bytes) ||
-      area->bytes < stream->area_bytes) {
+      area->bus % HMLFC_STRIP_BYTES != 0 || area->bytes < stream->area_bytes) {
     return HMLFC_BAD_ARGUMENT;
   }
   if (unit->io.clean != NULL) {

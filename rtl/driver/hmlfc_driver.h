@@ -46,7 +46,7 @@ enum {
   HMLFC_NOTHING_DONE = 68  /* no descriptor is done whose status was not taken */
 };
 
-enum { HMLFC_MAX_LEVELS = 16, HMLFC_PLANES = 3, HMLFC_STRIP_BYTES = 144 };
+enum { HMLFC_MAX_LEVELS = 16, HMLFC_PLANES = 3, HMLFC_STRIP_BYTES = 128 };
 
 /* --- Streams --------------------------------------------------------------------------------- */
 
@@ -233,8 +233,8 @@ int hmlfc_unit_open(struct hmlfc_unit* unit, const struct hmlfc_io* io,
                     const struct hmlfc_buffer* rings, unsigned ring_size);
 
 /* Lets the unit read the stream, whose first byte has the address `stream_bus`, and the area, of at
- * least stream->area_bytes bytes; addresses are multiples of 16. Of each, up to 31 bytes past the
- * end may be read. Returns the unit's error, such as HMLFC_LIMIT_EXCEEDED for a stream that was not
+ * least stream->area_bytes bytes; addresses are multiples of 16, that of the area of 128. Of each, up
+ * to 31 bytes past the end may be read. Returns the unit's error, such as HMLFC_LIMIT_EXCEEDED for a stream that was not
  * opened with unit->limits. Nothing may be under way. */
 int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
                     const struct hmlfc_buffer* area);

@@ -77,7 +77,7 @@ module hmlfc_strip_writer #(
   // ---- Strips, and their words.
   logic collect_empty, strip_valid, strip_ready, pack_empty;
   logic [1023:0] samples;
-  logic signed [15:0] least, most;
+  logic [4*16-1:0] least, most;
   hmlfc_strip_collect #(
       .BLOCK_LOG2(BLOCK_LOG2)
   ) collect (

@@ -10,9 +10,10 @@ module hmlfc_view_unit #(
     parameter int BLOCK_LOG2 = 2,      // these are those of hmlfc_decode_unit
     parameter int MAX_DEPTH = 8,
     parameter int AXI_DATA_BITS = 128,
-    parameter int OUTSTANDING = 32,
+    parameter int OUTSTANDING = 64,
     parameter int TILE_CONTEXTS = 16,
     parameter int CACHE_STRIPS = 512,
+    parameter int STRIP_READ = 32,
     parameter int TRACE = 1,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
@@ -170,6 +171,7 @@ module hmlfc_view_unit #(
       .OUTSTANDING(OUTSTANDING),
       .TILE_CONTEXTS(TILE_CONTEXTS),
       .CACHE_STRIPS(CACHE_STRIPS),
+      .STRIP_READ(STRIP_READ),
       .TRACE(TRACE)
   ) unit (
       .clk,
