@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""rtl_bench_test.py TESTBENCH STREAM: rows of a small measurement, their comparison with a report before, and errors."""
+"""rtl_bench_test.py TESTBENCH RECORDED STREAM...: rows of a small measurement of the first stream, their comparison with
+a report before, and errors; then that no stream's pixels a clock have fallen by 3 % since the report RECORDED."""
 
 import json
 import pathlib
@@ -8,7 +9,8 @@ import subprocess
 import sys
 import tempfile
 
-testbench, stream = sys.argv[1:]
+testbench, recorded, *streams = sys.argv[1:]
+stream = streams[0]
 SIZE = ["--requests", "24", "--alone", "2"]
 
 
@@ -47,3 +49,13 @@ with tempfile.TemporaryDirectory() as work:
         before.write_text(damaged, encoding="utf-8")
         assert "not a report of rtl-bench --json" in bench("--compare", str(before), code=2), damaged
     assert "no-such-file" in bench("--compare", "no-such-file", code=2)
+
+GATE = ["--requests", "1024", "--only", "scan, latency 20", "scan, latency 100", "--json"]
+now = json.loads(subprocess.run([testbench, "bench", *streams, *GATE], capture_output=True, check=True).stdout)
+before = json.loads(pathlib.Path(recorded).read_text(encoding="utf-8"))
+assert len(now) == len(before) == 4
+for old, new in zip(before, now):
+    assert old["stream"] == new["stream"] and len(old["throughput"]) == len(new["throughput"]) == 2
+    for was, row in zip(old["throughput"], new["throughput"]):
+        assert row["name"] == was["name"] and row["pixels"] >= 0.97 * was["pixels"], \
+            f"{old['stream']}, {row['name']}: {row['pixels']:.3f} pixels a clock, recorded are {was['pixels']:.3f}"
