@@ -9,7 +9,7 @@ package hmlfc_pkg;
   localparam int TILE_BITS = 44;     // tile numbers (IDX-2) within the unit's limits
   localparam int BLOCK_BITS = 13;    // block columns and rows: 16384 samples in blocks of 2
   localparam int GRID_BITS = 10;     // rows and columns of images: 1024
-  localparam int STRIP_BYTES = 144;  // of a strip's place in the reference area
+  localparam int STRIP_BYTES = 128;  // of a strip's place in the reference area
   localparam int POSITION_BITS = 18; // bit positions in a tile record (section 11), with its skew
 
   // Widths of the structures below, for memories of them. hmlfc_widths checks them.

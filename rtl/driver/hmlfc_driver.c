@@ -48,10 +48,15 @@ static void invalidate(const struct hmlfc_unit* unit, const void* from, size_t b
   if (unit->io.invalidate != NULL) unit->io.invalidate(unit->io.context, from, bytes);
 }
 
-/* Whether the unit can read these bytes and as many behind them as it may. */
-static int is_place(uint64_t bus, uint64_t bytes) {
-  return bus % 16 == 0 && bus < ADDRESS_END && bytes < ADDRESS_END &&
-         bus + bytes + 31 <= ADDRESS_END;
+/* Whether the unit can read these bytes, and `behind` more, from a multiple of `alignment` on. */
+static int is_place(uint64_t bus, uint64_t bytes, unsigned alignment, unsigned behind) {
+  return bus % alignment == 0 && bus < ADDRESS_END && bytes < ADDRESS_END &&
+         bus + bytes + behind <= ADDRESS_END;
+}
+
+static int is_area(const struct hmlfc_buffer* area, const struct hmlfc_stream* stream) {
+  return is_place(area->bus, area->bytes, HMLFC_STRIP_BYTES, 0) &&
+         area->bytes >= stream->area_bytes;
 }
 
 /* The status ring lies behind the ring of descriptors. */
@@ -116,8 +121,7 @@ void hmlfc_unit_set_watchdog(struct hmlfc_unit* unit, uint32_t clocks) {
 int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
                     const struct hmlfc_buffer* area) {
   uint32_t status;
-  if (!is_place(stream_bus, stream->bytes) || !is_place(area->bus, area->bytes) ||
-      area->bytes < stream->area_bytes) {
+  if (!is_place(stream_bus, stream->bytes, 16, 31) || !is_area(area, stream)) {
     return HMLFC_BAD_ARGUMENT;
   }
   clean(unit, stream->file, stream->bytes);
@@ -255,9 +259,7 @@ int hmlfc_unit_fill_residuals(struct hmlfc_unit* unit, const struct hmlfc_stream
   int code = HMLFC_OK;
   *failed = 0;
   if (unit->taken != unit->producer) return HMLFC_BUSY;
-  if (!is_place(area->bus, area->bytes) || area->bytes < stream->area_bytes) {
-    return HMLFC_BAD_ARGUMENT;
-  }
+  if (!is_area(area, stream)) return HMLFC_BAD_ARGUMENT;
   for (unsigned l = stream->tree_height + 1u; l-- > 0;) {
     const struct hmlfc_level* level = &stream->levels[l];
     const uint64_t planes = (uint64_t)level->group_rows * level->group_cols * HMLFC_PLANES;

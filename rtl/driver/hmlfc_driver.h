@@ -59,7 +59,7 @@ enum {
   HMLFC_WAS_REFUSED = 70   /* the unit refused a descriptor of the driver's */
 };
 
-enum { HMLFC_MAX_LEVELS = 16, HMLFC_PLANES = 3, HMLFC_STRIP_BYTES = 144 };
+enum { HMLFC_MAX_LEVELS = 16, HMLFC_PLANES = 3, HMLFC_STRIP_BYTES = 128 };
 
 /* --- Streams --------------------------------------------------------------------------------- */
 
@@ -260,9 +260,10 @@ int hmlfc_unit_reset(struct hmlfc_unit* unit);
 void hmlfc_unit_set_watchdog(struct hmlfc_unit* unit, uint32_t clocks);
 
 /* Lets the unit read the stream, whose first byte has the address `stream_bus`, and the area, of at
- * least stream->area_bytes bytes; addresses are multiples of 16. Of each, up to 31 bytes past the
- * end may be read. Returns the unit's error, such as HMLFC_LIMIT_EXCEEDED for a stream that was not
- * opened with unit->limits. Nothing may be under way; descriptors that were given wait. */
+ * least stream->area_bytes bytes; its address is a multiple of 16, that of the area of 128. Up to
+ * 31 bytes past the end of the stream may be read. Returns the unit's error, such as
+ * HMLFC_LIMIT_EXCEEDED for a stream that was not opened with unit->limits. Nothing may be under
+ * way; descriptors that were given wait. */
 int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
                     const struct hmlfc_buffer* area);
 

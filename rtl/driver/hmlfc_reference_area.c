@@ -4,7 +4,7 @@
 
 #include "hmlfc_internal.h"
 
-enum { STRIP_SAMPLES = 64, WIDTH_BITS = 4, HEAD_BITS = 20, WIDEST_PACKED = 14, RAW = 15 };
+enum { STRIP_SAMPLES = 64, QUARTER = 16, WIDTH_BITS = 4, HEAD_BITS = 20, RAW = 15, RAW_BITS = 14 };
 
 uint64_t hmlfc_area_offset(const struct hmlfc_stream* stream, unsigned level, uint32_t group_row,
                            uint32_t group_col, unsigned plane) {
@@ -34,25 +34,35 @@ static unsigned bits_of(uint32_t value) {
   return bits;
 }
 
-static void pack_strip(const int16_t samples[STRIP_SAMPLES], int raw, uint8_t* place) {
+/* Packs a quarter, number `q`, of a strip: its head, and its samples from bit `at` on. Returns the
+ * bit after them. With `error` the samples are those of blocks that could not be decoded. */
+static unsigned pack_quarter(const int16_t* samples, unsigned q, int error, unsigned at,
+                             uint8_t* place) {
   int32_t base = samples[0];
   int32_t most = samples[0];
   unsigned width;
-  for (unsigned i = 1; i < STRIP_SAMPLES; ++i) {
+  for (unsigned i = 1; i < QUARTER; ++i) {
     if (samples[i] < base) base = samples[i];
     if (samples[i] > most) most = samples[i];
   }
-  width = bits_of((uint32_t)(most - base));
-  if (raw || width > WIDEST_PACKED) {
-    width = RAW;
+  width = error ? RAW : bits_of((uint32_t)(most - base));
+  put_bits(place, q * HEAD_BITS, WIDTH_BITS, width);
+  put_bits(place, q * HEAD_BITS + WIDTH_BITS, 16, error ? 15u : (uint32_t)base & 0xffff);
+  if (error) {
+    width = RAW_BITS;
     base = 0;
   }
+  for (unsigned i = 0; i < QUARTER; ++i, at += width) {
+    put_bits(place, at, width, (uint32_t)(samples[i] - base) & 0x3fff);
+  }
+  return at;
+}
+
+static void pack_strip(const int16_t samples[STRIP_SAMPLES], int error, uint8_t* place) {
+  unsigned at = STRIP_SAMPLES / QUARTER * HEAD_BITS;
   memset(place, 0, HMLFC_STRIP_BYTES);
-  put_bits(place, 0, WIDTH_BITS, width);
-  put_bits(place, WIDTH_BITS, 16, (uint32_t)base & 0xffff);
-  if (width == RAW) ++width;
-  for (unsigned i = 0; i < STRIP_SAMPLES; ++i) {
-    put_bits(place, HEAD_BITS + i * width, width, (uint32_t)(samples[i] - base) & 0xffff);
+  for (unsigned q = 0; q < STRIP_SAMPLES / QUARTER; ++q) {
+    at = pack_quarter(samples + q * QUARTER, q, error, at, place);
   }
 }
 
@@ -78,7 +88,7 @@ static void gather(const struct hmlfc_plane* plane, unsigned block_log2, const i
 void hmlfc_pack_plane(const struct hmlfc_plane* plane, unsigned block_log2, const int16_t* samples,
                       int error, uint8_t* area) {
   int16_t strip[STRIP_SAMPLES];
-  for (unsigned i = 0; i < STRIP_SAMPLES; ++i) strip[i] = (int16_t)(error - 32768);
+  for (unsigned i = 0; i < STRIP_SAMPLES; ++i) strip[i] = (int16_t)error;
   for (uint32_t by = 0; by < plane->blocks_y; ++by) {
     for (uint32_t s = 0; s < plane->strips_x; ++s, area += HMLFC_STRIP_BYTES) {
       if (error == 0) gather(plane, block_log2, samples, s, by, strip);

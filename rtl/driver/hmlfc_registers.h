@@ -79,7 +79,7 @@
 #define HMLFC_REG_STREAM_BYTES_BYTES_SHIFT 0
 #define HMLFC_REG_STREAM_BYTES_BYTES_MASK 0xffffffffffffffffull
 
-/* REFERENCE_BASE, read, write: byte address of the reference area, a multiple of 16 */
+/* REFERENCE_BASE, read, write: byte address of the reference area, a multiple of 128 */
 #define HMLFC_REG_REFERENCE_BASE 0x020u
 #define HMLFC_REG_REFERENCE_BASE_HIGH 0x024u
 #define HMLFC_REG_REFERENCE_BASE_RESET 0x0000000000000000ull

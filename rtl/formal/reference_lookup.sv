@@ -33,19 +33,19 @@ module prove_reference_lookup (
   // The window at its lookup.
   (* hierconn *) wire [6:1] \dut.valid ;
   (* hierconn *) wire [3:0] \dut.needed_6 ;
-  (* hierconn *) wire [143:0] \dut.wanted ;
+  (* hierconn *) wire [131:0] \dut.wanted ;
   (* hierconn *) wire [3:0] \dut.asked ;
   (* hierconn *) wire [63:0] \dut.kept ;
-  (* hierconn *) wire [35:0] \dut.g_tags[0].tag ;
-  (* hierconn *) wire [35:0] \dut.g_tags[1].tag ;
-  (* hierconn *) wire [35:0] \dut.g_tags[2].tag ;
-  (* hierconn *) wire [35:0] \dut.g_tags[3].tag ;
-  (* hierconn *) wire [35:0] \dut.g_tags[0].tags.words[5] ;
-  (* hierconn *) wire [35:0] \dut.g_tags[1].tags.words[5] ;
-  (* hierconn *) wire [35:0] \dut.g_tags[2].tags.words[5] ;
-  (* hierconn *) wire [35:0] \dut.g_tags[3].tags.words[5] ;
-  wire [143:0] read = {\dut.g_tags[3].tag , \dut.g_tags[2].tag , \dut.g_tags[1].tag , \dut.g_tags[0].tag };
-  wire [143:0] tags = {\dut.g_tags[3].tags.words[5] , \dut.g_tags[2].tags.words[5] , \dut.g_tags[1].tags.words[5] ,
+  (* hierconn *) wire [32:0] \dut.g_tags[0].tag ;
+  (* hierconn *) wire [32:0] \dut.g_tags[1].tag ;
+  (* hierconn *) wire [32:0] \dut.g_tags[2].tag ;
+  (* hierconn *) wire [32:0] \dut.g_tags[3].tag ;
+  (* hierconn *) wire [32:0] \dut.g_tags[0].tags.words[5] ;
+  (* hierconn *) wire [32:0] \dut.g_tags[1].tags.words[5] ;
+  (* hierconn *) wire [32:0] \dut.g_tags[2].tags.words[5] ;
+  (* hierconn *) wire [32:0] \dut.g_tags[3].tags.words[5] ;
+  wire [131:0] read = {\dut.g_tags[3].tag , \dut.g_tags[2].tag , \dut.g_tags[1].tag , \dut.g_tags[0].tag };
+  wire [131:0] tags = {\dut.g_tags[3].tags.words[5] , \dut.g_tags[2].tags.words[5] , \dut.g_tags[1].tags.words[5] ,
       \dut.g_tags[0].tags.words[5] };
 
   // What was asked for last at the place, and whether it is kept.
@@ -53,17 +53,17 @@ module prove_reference_lookup (
   localparam logic [3:0] PLACE = 4'd5;
   logic        started = 1'b0;
   logic        full;
-  logic [35:0] content;
+  logic [32:0] content;
   logic [2:0]  missed;
   wire         here = \dut.valid [6] && \dut.needed_6 [bank] && out_places[4*bank +: 4] == PLACE;
-  wire [35:0]  own = \dut.wanted [36*bank +: 36];
+  wire [32:0]  own = \dut.wanted [33*bank +: 33];
   wire         asked_here = ask && ask_place == {bank, PLACE};
   wire         leaves = out_valid && out_ready;
   always @(posedge clk) begin
     started <= 1'b1;
     if (!rst_n || flush || forget) full <= 1'b0;
     else if (asked_here) full <= 1'b1;
-    if (asked_here) content <= ask_address[39:4];
+    if (asked_here) content <= ask_address[39:7];
     missed <= !rst_n || leaves ? 3'd0 : missed + {2'd0, ask};
   end
 
@@ -71,16 +71,16 @@ module prove_reference_lookup (
     if (!started) assume (!rst_n);
     else begin
       assert (full == \dut.kept [16*bank+5]);
-      if (full) assert (tags[36*bank +: 36] == content);
+      if (full) assert (tags[33*bank +: 33] == content);
       if (\dut.valid [6] && out_places[4*bank +: 4] == PLACE && !\dut.asked [bank] && full)
-        assert (read[36*bank +: 36] == content);
+        assert (read[33*bank +: 33] == content);
       if (\dut.asked [bank]) assert (\dut.valid [6]);
       if (\dut.asked [bank] && here) assert (content == own);
 
       if (leaves && here) assert (content == own && (full || \dut.asked [bank]));
       if (ask && ask_place[5:4] == bank)
         assert (\dut.valid [6] && \dut.needed_6 [bank] && ask_place[3:0] == out_places[4*bank +: 4] &&
-            ask_address == {own, 4'd0} &&
+            ask_address == {own, 7'd0} &&
                 !\dut.asked [bank]);
       if (asked_here) assert (!(full && content == own));
       if (\dut.valid [6]) assert (ask != out_valid || !ask_ready);

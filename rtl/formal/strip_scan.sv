@@ -35,9 +35,9 @@ module prove_strip_scan #(
   logic         was = 1'b0;
   logic [A-1:0] rows_kept;
   wire [A-1:0]  rows = was ? rows_kept : A'(by) * A'(pitch);
-  wire [A-1:0]  column = destination + A'(bx[N-1:4]) * A'(16 / BLOCKS * 144);
+  wire [A-1:0]  column = destination + A'(bx[N-1:4]) * A'(16 / BLOCKS * 128);
   wire is_legal = bx <= last_x && by <= last_y && \dut.column_address == column && \dut.row_address == column + rows &&
-      address == column + rows + A'(bx[3:0] / BLOCKS) * A'(144);
+      address == column + rows + A'(bx[3:0] / BLOCKS) * A'(128);
 
   logic         was_valid, was_taken, was_start, was_end;
   logic [N-1:0] next_x, next_y, was_x, was_y;

@@ -13,9 +13,10 @@ module hmlfc_decode_unit #(
     parameter int BLOCK_LOG2 = 2,      // 1..3
     parameter int MAX_DEPTH = 8,       // 8..12
     parameter int AXI_DATA_BITS = 128,  // 64, 128
-    parameter int OUTSTANDING = 32,    // 4..64
+    parameter int OUTSTANDING = 64,    // 4..64
     parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
     parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
+    parameter int STRIP_READ = 32,     // 32, 64
     parameter int TRACE = 1,           // 0..1; 0: nothing is kept for the trace, which is 0
     parameter logic [2:0] AXI_PROT = 3'b010,   // what AxPROT, AxCACHE and AxQOS are: data, not secure, not privileged;
     parameter logic [3:0] AXI_CACHE = 4'b0011, // normal memory, not cacheable, bufferable;
@@ -118,6 +119,7 @@ module hmlfc_decode_unit #(
   if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0) begin : check_cache_strips
     $error("CACHE_STRIPS is a power of two, 64 to 1024");
   end
+  if (STRIP_READ != 32 && STRIP_READ != 64) begin : check_strip_read $error("STRIP_READ is 32 or 64"); end
   if (TRACE < 0 || TRACE > 1) begin : check_trace $error("TRACE is 0 or 1"); end
 `endif
 
@@ -235,7 +237,7 @@ module hmlfc_decode_unit #(
   logic [2*6-1:0] window_error;
   logic [2*WINDOW_BITS-1:0] window;
   hmlfc_references #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS),
-      .CACHE_STRIPS(CACHE_STRIPS)) references (
+      .CACHE_STRIPS(CACHE_STRIPS), .FILLS(1 << $clog2(OUTSTANDING)), .STRIP_READ(STRIP_READ)) references (
       .clk, .rst_n, .stream, .flush, .in_valid(flow_valid), .in_ready(flow_ready), .in_flow(flow),
       .in_image(reference_image), .in_has_residual(has_residual), .in_residual(residual), .out_valid(pending_valid),
       .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual), .window_valid, .window_ready,

@@ -59,19 +59,9 @@ module hmlfc_index_reads #(
   // Whose beats come next, and where in the first beat its bytes begin.
   logic [1:0] step, step_1, step_2;
   logic [BEAT_LOG2-1:0] offset, offset_1;
-  hmlfc_fifo #(
-      .WIDTH(2 + BEAT_LOG2),
-      .DEPTH(4 * DEPTH)
-  ) reads (
-      .clk,
-      .rst_n,
-      .in_valid(begins),
-      .in_ready(),
-      .in_data({chosen, from[BEAT_LOG2-1:0]}),
-      .out_valid(),
-      .out_ready(response.valid && response.last),
-      .out_data({step, offset}),
-      .count()
+  hmlfc_fifo #(.WIDTH(2 + BEAT_LOG2), .DEPTH(4 * DEPTH)) reads (
+      .clk, .rst_n, .in_valid(begins), .in_ready(), .in_data({chosen, from[BEAT_LOG2-1:0]}), .out_valid(),
+      .out_ready(response.valid && response.last), .out_data({step, offset}), .count()
   );
 
   // Its beats; then shifted by words, then by bytes.
@@ -100,19 +90,10 @@ module hmlfc_index_reads #(
 
   wire [127:0] bytes_2 = 128'(words_2 >> {shift_2, 3'd0});
   for (genvar s = 0; s < 3; s++) begin : g_step
-    hmlfc_fifo #(
-        .WIDTH(129),
-        .DEPTH(DEPTH)
-    ) answers (
-        .clk,
-        .rst_n,
-        .in_valid(shifts[2] && step_2 == 2'(s)),
-        .in_ready(),
-        .in_data({error_2, bytes_2}),
-        .out_valid(valid[s]),
-        .out_ready(take[s]),
-        .out_data({error[s], bytes[s*128+:128]}),
-        .count()
+    hmlfc_fifo #(.WIDTH(129), .DEPTH(DEPTH)) answers (
+        .clk, .rst_n, .in_valid(shifts[2] && step_2 == 2'(s)), .in_ready(),
+        .in_data({error_2, bytes_2}), .out_valid(valid[s]), .out_ready(take[s]),
+        .out_data({error[s], bytes[s*128+:128]}), .count()
     );
   end
 

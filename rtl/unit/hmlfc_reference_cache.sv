@@ -16,6 +16,8 @@ module hmlfc_reference_cache #(
     parameter int DATA_BITS = 128,
     parameter int STRIPS = 512,  // kept; a power of two, at least 64 * SECTIONS
     parameter int SECTIONS = 1,  // 1, 2
+    parameter int FILLS = 32,  // strips in flight, a power of two
+    parameter int STRIP_READ = 32,  // bytes of a strip that are read at once: 32, 64
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS,
     localparam int SIDE = (1 << BLOCK_LOG2) + 1,
@@ -59,41 +61,12 @@ module hmlfc_reference_cache #(
   logic [SIDE*SELECT_BITS-1:0] found_select_x, found_select_y;
   logic [4*PLACE_BITS-1:0] found_places;
   logic [2:0] found_missed;
-  hmlfc_reference_lookup #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .STRIPS(STRIPS),
-      .SECTIONS(SECTIONS)
-  ) lookup (
-      .clk,
-      .rst_n,
-      .flush,
-      .forget,
-      .in_valid,
-      .in_ready,
-      .in_address,
-      .in_plane,
-      .in_section,
-      .in_strips_x,
-      .in_width,
-      .in_height,
-      .in_x,
-      .in_y,
-      .in_extra_x,
-      .in_extra_y,
-      .ask,
-      .ask_ready,
-      .ask_address,
-      .ask_place,
-      .out_valid(found_valid),
-      .out_ready(found_ready),
-      .out_block_x(found_x),
-      .out_block_y(found_y),
-      .out_two_x(found_two_x),
-      .out_two_y(found_two_y),
-      .out_select_x(found_select_x),
-      .out_select_y(found_select_y),
-      .out_places(found_places),
-      .out_missed(found_missed)
+  hmlfc_reference_lookup #(.BLOCK_LOG2(BLOCK_LOG2), .STRIPS(STRIPS), .SECTIONS(SECTIONS)) lookup (
+      .clk, .rst_n, .flush, .forget, .in_valid, .in_ready, .in_address, .in_plane, .in_section, .in_strips_x, .in_width,
+      .in_height, .in_x, .in_y, .in_extra_x, .in_extra_y, .ask, .ask_ready, .ask_address, .ask_place,
+      .out_valid(found_valid), .out_ready(found_ready), .out_block_x(found_x), .out_block_y(found_y),
+      .out_two_x(found_two_x), .out_two_y(found_two_y), .out_select_x(found_select_x), .out_select_y(found_select_y),
+      .out_places(found_places), .out_missed(found_missed)
   );
 
   // ---- Windows that wait for their strips.
@@ -104,21 +77,13 @@ module hmlfc_reference_cache #(
   logic [SIDE*SELECT_BITS-1:0] op_select_x, op_select_y;
   logic [4*PLACE_BITS-1:0] op_places;
   logic [2:0] op_missed;
-  hmlfc_fifo #(
-      .WIDTH(READ_BITS + 3),
-      .DEPTH(128)
-  ) waiting (
-      .clk,
-      .rst_n,
-      .in_valid(found_valid),
-      .in_ready(found_ready),
+  hmlfc_fifo #(.WIDTH(READ_BITS + 3), .DEPTH(256)) waiting (
+      .clk, .rst_n, .in_valid(found_valid), .in_ready(found_ready),
       .in_data({
         found_x, found_y, found_two_x, found_two_y, found_select_x, found_select_y, found_places, found_missed
       }),
-      .out_valid(op_valid),
-      .out_ready(op_ready),
-      .out_data({op_x, op_y, op_two_x, op_two_y, op_select_x, op_select_y, op_places, op_missed}),
-      .count()
+      .out_valid(op_valid), .out_ready(op_ready),
+      .out_data({op_x, op_y, op_two_x, op_two_y, op_select_x, op_select_y, op_places, op_missed}), .count()
   );
 
   // ---- The strips of the window in front are filled, then its lines are read.
@@ -126,24 +91,11 @@ module hmlfc_reference_cache #(
   logic [PLACE_BITS+1:0] strip_place;
   logic [LINES_BITS-1:0] strip_lines;
   hmlfc_strip_fill #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .SAMPLE_BITS(SAMPLE_BITS),
-      .DATA_BITS(DATA_BITS),
-      .PLACE_BITS(PLACE_BITS + 2)
+      .BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(SAMPLE_BITS), .DATA_BITS(DATA_BITS), .PLACE_BITS(PLACE_BITS + 2),
+      .SLOTS(FILLS), .FIRST_BYTES(STRIP_READ)
   ) fill (
-      .clk,
-      .rst_n,
-      .ask,
-      .ask_ready,
-      .ask_address,
-      .ask_place,
-      .valid(strip_valid),
-      .place(strip_place),
-      .lines(strip_lines),
-      .take,
-      .request,
-      .response,
-      .data
+      .clk, .rst_n, .ask, .ask_ready, .ask_address, .ask_place, .valid(strip_valid), .place(strip_place),
+      .lines(strip_lines), .take, .request, .response, .data
   );
 
   logic [2:0] filled;
@@ -157,30 +109,11 @@ module hmlfc_reference_cache #(
   end
 
   // ---- Samples. A strip that a bus error spoiled is not kept, whichever error its block is answered with.
-  hmlfc_reference_lines #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .SAMPLE_BITS(SAMPLE_BITS),
-      .PLACE_BITS(PLACE_BITS)
-  ) lines (
-      .clk,
-      .rst_n,
-      .write(take),
-      .write_place(strip_place),
-      .write_lines(strip_lines),
-      .in_valid(op_valid && complete),
-      .in_ready(lines_ready),
-      .in_block_x(op_x),
-      .in_block_y(op_y),
-      .in_two_x(op_two_x),
-      .in_two_y(op_two_y),
-      .in_select_x(op_select_x),
-      .in_select_y(op_select_y),
-      .in_places(op_places),
-      .out_valid,
-      .out_ready,
-      .out_error,
-      .out_window,
-      .spoiled(forget)
+  hmlfc_reference_lines #(.BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(SAMPLE_BITS), .PLACE_BITS(PLACE_BITS)) lines (
+      .clk, .rst_n, .write(take), .write_place(strip_place), .write_lines(strip_lines), .in_valid(op_valid && complete),
+      .in_ready(lines_ready), .in_block_x(op_x), .in_block_y(op_y), .in_two_x(op_two_x), .in_two_y(op_two_y),
+      .in_select_x(op_select_x), .in_select_y(op_select_y), .in_places(op_places), .out_valid, .out_ready, .out_error,
+      .out_window, .spoiled(forget)
   );
 
 endmodule

@@ -70,8 +70,8 @@ module hmlfc_reference_lookup #(
   localparam int AREA_BITS = PLACE_BITS - SECTIONS;  // of luma's places in a section
   localparam int ROW_BITS = AREA_BITS / 2 + 1;       // by row
   localparam int COL_BITS = AREA_BITS - ROW_BITS;    // and by column
-  localparam int TAG_BITS = ADDRESS_BITS - 4;
-  localparam int STRIP_BEATS = hmlfc_pkg::STRIP_BYTES / 16;  // of 16 bytes
+  localparam int STRIP_LOG2 = $clog2(hmlfc_pkg::STRIP_BYTES);
+  localparam int TAG_BITS = ADDRESS_BITS - STRIP_LOG2;
 
   // ---- 1, 2: blocks of the window.
   logic [6:1] valid;
@@ -99,9 +99,9 @@ module hmlfc_reference_lookup #(
       .select_x,
       .select_y
   );
-  localparam int SIDE_INFO_BITS = ADDRESS_BITS - 4 + 2 + 1 + 11;
+  localparam int SIDE_INFO_BITS = TAG_BITS + 2 + 1 + 11;
   logic [2*SIDE_INFO_BITS-1:0] infos;
-  wire [TAG_BITS-1:0] address_2 = infos[SIDE_INFO_BITS+14+:TAG_BITS];  // in units of 16 bytes, as tags are
+  wire [TAG_BITS-1:0] address_2 = infos[SIDE_INFO_BITS+14+:TAG_BITS];  // in units of strips, as tags are
   wire [1:0] plane_2 = infos[SIDE_INFO_BITS+12+:2];
   wire section_2 = infos[SIDE_INFO_BITS+11];
   wire [10:0] strips_x_2 = infos[SIDE_INFO_BITS+:11];
@@ -118,8 +118,11 @@ module hmlfc_reference_lookup #(
   // Changes the place by the plane's address: a request reads near the same row and column in the reference images of
   // all its levels, and these would replace each other.
   function automatic logic [1:0] order_of(input logic [TAG_BITS-1:0] address);
-    order_of = '0;
-    for (int i = 0; i < TAG_BITS; i++) order_of[i%2] = order_of[i%2] ^ address[i];
+    order_of = '0;  // an image has 3 * 2^k strips where its sides are powers of two: groups of two bits would not tell
+    for (int i = 0; i < TAG_BITS; i++) begin
+      if (i % 3 != 2) order_of[0] = order_of[0] ^ address[i];
+      if (i % 3 != 1) order_of[1] = order_of[1] ^ address[i];
+    end
   endfunction
 
   // Where strip `column` of row `row` of a plane is kept in its bank.
@@ -148,30 +151,27 @@ module hmlfc_reference_lookup #(
   logic [3:0] needed_4, needed_5, needed_6;
   logic [TAG_BITS-1:0] address_3;
   logic [2*23-1:0] rows_3;                  // first strips of the rows: row * strips_x
-  logic [2*BLOCK_BITS-1:0] columns_3;
+  logic [2*BLOCK_BITS-1:0] columns_3, columns_4;
   logic [2*TAG_BITS-1:0] rows_4;            // their addresses
-  logic [2*(BLOCK_BITS+4)-1:0] columns_4;   // offsets of the columns
   logic [4*TAG_BITS-1:0] wanted_5, wanted;  // addresses of the strips
   always_ff @(posedge clk) begin
     if (advance) begin
       valid <= {valid[5:1], in_valid};
-      infos <= {infos[SIDE_INFO_BITS-1:0], in_address[ADDRESS_BITS-1:4], in_plane, in_section, in_strips_x};
+      infos <= {infos[SIDE_INFO_BITS-1:0], in_address[ADDRESS_BITS-1:STRIP_LOG2], in_plane, in_section, in_strips_x};
       read_3 <= {block_x, block_y, two_x, two_y, select_x, select_y, places_2};
       {read_6, read_5, read_4} <= {read_5, read_4, read_3};
       address_3 <= address_2;
       {rows_needed_3, columns_needed_3} <= {rows_needed_2, columns_needed_2};
-      columns_3 <= columns_2;
+      {columns_4, columns_3} <= {columns_3, columns_2};
       needed_4 <= {{2{rows_needed_3[1]}} & columns_needed_3, {2{rows_needed_3[0]}} & columns_needed_3};
       {needed_6, needed_5} <= {needed_5, needed_4};
       for (int k = 0; k < 2; k++) begin
         rows_3[k*23+:23] <= 23'(rows_2[k*BLOCK_BITS+:BLOCK_BITS]) * 23'(strips_x_2);
-        rows_4[k*TAG_BITS+:TAG_BITS] <= address_3 + TAG_BITS'(rows_3[k*23+:23]) * TAG_BITS'(STRIP_BEATS);
-        columns_4[k*(BLOCK_BITS+4)+:BLOCK_BITS+4] <=
-            (BLOCK_BITS + 4)'(columns_3[k*BLOCK_BITS+:BLOCK_BITS]) * (BLOCK_BITS + 4)'(STRIP_BEATS);
+        rows_4[k*TAG_BITS+:TAG_BITS] <= address_3 + TAG_BITS'(rows_3[k*23+:23]);
       end
       for (int b = 0; b < 4; b++) begin
         wanted_5[b*TAG_BITS+:TAG_BITS] <=
-            rows_4[(b/2)*TAG_BITS+:TAG_BITS] + TAG_BITS'(columns_4[(b%2)*(BLOCK_BITS+4)+:BLOCK_BITS+4]);
+            rows_4[(b/2)*TAG_BITS+:TAG_BITS] + TAG_BITS'(columns_4[(b%2)*BLOCK_BITS+:BLOCK_BITS]);
       end
       wanted <= wanted_5;
     end
@@ -217,7 +217,7 @@ module hmlfc_reference_lookup #(
   end
   wire any_missing = missing != 0;
   assign ask = any_missing && ask_ready;
-  assign ask_address = {ask_tag, 4'd0};
+  assign ask_address = {ask_tag, STRIP_LOG2'(0)};
   assign ask_place = {ask_bank, ask_in_bank};
   assign enter = valid[6] && !any_missing && out_ready;
   assign out_valid = valid[6] && !any_missing;

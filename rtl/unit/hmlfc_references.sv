@@ -15,6 +15,8 @@ module hmlfc_references #(
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
     parameter int CACHE_STRIPS = 512,  // of cache A; B has twice as many
+    parameter int FILLS = 32,  // strips in flight of each, a power of two
+    parameter int STRIP_READ = 32,  // bytes of a strip that are read at once
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS,
     localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS,
@@ -58,93 +60,36 @@ module hmlfc_references #(
   logic pending_valid, pending_ready;
   hmlfc_pkg::pending_t pending;
   logic [RESIDUAL_BITS-1:0] pending_residual;
-  hmlfc_reference_ask #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .RESIDUAL_BITS(RESIDUAL_BITS)
-  ) reference_ask (
-      .clk,
-      .rst_n,
-      .stream,
-      .image(in_image),
-      .in_flow,
-      .in_valid,
-      .in_ready,
-      .in_has_residual,
-      .in_residual,
-      .a_valid(asked_valid[0]),
-      .a_ready(asked_ready[0]),
-      .a_window(asked[0+:SLOT_BITS]),
-      .b_valid(asked_valid[1]),
-      .b_ready(asked_ready[1]),
-      .b_window(asked[SLOT_BITS+:SLOT_BITS]),
-      .out_valid(pending_valid),
-      .out_ready(pending_ready),
-      .out_pending(pending),
-      .out_residual(pending_residual)
+  hmlfc_reference_ask #(.BLOCK_LOG2(BLOCK_LOG2), .RESIDUAL_BITS(RESIDUAL_BITS)) reference_ask (
+      .clk, .rst_n, .stream, .image(in_image), .in_flow, .in_valid, .in_ready, .in_has_residual, .in_residual,
+      .a_valid(asked_valid[0]), .a_ready(asked_ready[0]), .a_window(asked[0+:SLOT_BITS]), .b_valid(asked_valid[1]),
+      .b_ready(asked_ready[1]), .b_window(asked[SLOT_BITS+:SLOT_BITS]), .out_valid(pending_valid),
+      .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual)
   );
 
   for (genvar c = 0; c < 2; c++) begin : g_cache
     logic slot_valid, slot_ready;
     logic [SLOT_BITS-1:0] slot;
-    hmlfc_fifo #(
-        .WIDTH(SLOT_BITS),
-        .DEPTH(8)
-    ) before_cache (
-        .clk,
-        .rst_n,
-        .in_valid(asked_valid[c]),
-        .in_ready(asked_ready[c]),
-        .in_data(asked[c*SLOT_BITS+:SLOT_BITS]),
-        .out_valid(slot_valid),
-        .out_ready(slot_ready),
-        .out_data(slot),
-        .count()
+    hmlfc_fifo #(.WIDTH(SLOT_BITS), .DEPTH(8)) before_cache (
+        .clk, .rst_n, .in_valid(asked_valid[c]), .in_ready(asked_ready[c]), .in_data(asked[c*SLOT_BITS+:SLOT_BITS]),
+        .out_valid(slot_valid), .out_ready(slot_ready), .out_data(slot), .count()
     );
     hmlfc_reference_cache #(
-        .BLOCK_LOG2(BLOCK_LOG2),
-        .SAMPLE_BITS(VALUE_BITS),
-        .DATA_BITS(DATA_BITS),
-        .STRIPS((c + 1) * CACHE_STRIPS),
-        .SECTIONS(c + 1)
+        .BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(VALUE_BITS), .DATA_BITS(DATA_BITS), .STRIPS((c + 1) * CACHE_STRIPS),
+        .SECTIONS(c + 1), .FILLS(FILLS), .STRIP_READ(STRIP_READ)
     ) cache (
-        .clk,
-        .rst_n,
-        .flush,
-        .in_valid(slot_valid),
-        .in_ready(slot_ready),
-        .in_address(slot[79+:ADDRESS_BITS]),
-        .in_plane(slot[77+:2]),
-        .in_section(slot[ADDRESS_BITS+79]),
-        .in_strips_x(slot[66+:11]),
-        .in_width(slot[51+:15]),
-        .in_height(slot[36+:15]),
-        .in_x(slot[19+:17]),
-        .in_y(slot[2+:17]),
-        .in_extra_x(slot[1]),
-        .in_extra_y(slot[0]),
-        .out_valid(window_valid[c]),
-        .out_ready(window_ready[c]),
-        .out_error(window_error[c*6+:6]),
-        .out_window(window[c*WINDOW_BITS+:WINDOW_BITS]),
-        .request(requests[c*READ_REQUEST_BITS+:READ_REQUEST_BITS]),
-        .response(responses[c*READ_RESPONSE_BITS+:READ_RESPONSE_BITS]),
-        .data
+        .clk, .rst_n, .flush, .in_valid(slot_valid), .in_ready(slot_ready), .in_address(slot[79+:ADDRESS_BITS]),
+        .in_plane(slot[77+:2]), .in_section(slot[ADDRESS_BITS+79]), .in_strips_x(slot[66+:11]), .in_width(slot[51+:15]),
+        .in_height(slot[36+:15]), .in_x(slot[19+:17]), .in_y(slot[2+:17]), .in_extra_x(slot[1]), .in_extra_y(slot[0]),
+        .out_valid(window_valid[c]), .out_ready(window_ready[c]), .out_error(window_error[c*6+:6]),
+        .out_window(window[c*WINDOW_BITS+:WINDOW_BITS]), .request(requests[c*READ_REQUEST_BITS+:READ_REQUEST_BITS]),
+        .response(responses[c*READ_RESPONSE_BITS+:READ_RESPONSE_BITS]), .data
     );
   end
 
-  hmlfc_fifo #(
-      .WIDTH(PENDING_BITS + RESIDUAL_BITS),
-      .DEPTH(256)
-  ) before_compose (
-      .clk,
-      .rst_n,
-      .in_valid(pending_valid),
-      .in_ready(pending_ready),
-      .in_data({pending, pending_residual}),
-      .out_valid,
-      .out_ready,
-      .out_data({out_pending, out_residual}),
-      .count()
+  hmlfc_fifo #(.WIDTH(PENDING_BITS + RESIDUAL_BITS), .DEPTH(256)) before_compose (
+      .clk, .rst_n, .in_valid(pending_valid), .in_ready(pending_ready), .in_data({pending, pending_residual}),
+      .out_valid, .out_ready, .out_data({out_pending, out_residual}), .count()
   );
 
 endmodule

@@ -4,17 +4,18 @@
 
 // Fetches strips of the reference area and unpacks them into lines of samples.
 //
-// A strip is requested by `ask`, when `ask_ready`, with its address and the place that its lines are for. Its first
-// beats are read at once; how many more there are says its head, and the others are read when it has come. Strips leave
-// in the order in which they were requested: `valid` with `place` and `lines` until `take`. A line is {error, samples},
-// the samples of one block SAMPLE_BITS wide in two's complement, row by row; `error` is the number that an undecodable
-// block carries, or bus_error.
+// A strip is requested by `ask`, when `ask_ready`, with its address, a multiple of 128, and the place that its lines
+// are for. Its first FIRST_BYTES bytes are read at once; how many more there are says its head, and the others are read
+// when it has come. Strips leave in the order in which they were requested: `valid` with `place` and `lines` until
+// `take`. A line is {error, samples}, the samples of one block SAMPLE_BITS wide in two's complement, row by row; `error`
+// is the number that an undecodable block carries, or bus_error. A quarter of 16 samples is unpacked a clock.
 module hmlfc_strip_fill #(
     parameter int BLOCK_LOG2 = 2,
     parameter int SAMPLE_BITS = 10,
     parameter int DATA_BITS = 128,
     parameter int PLACE_BITS = 8,
     parameter int SLOTS = 32,  // strips in flight, a power of two
+    parameter int FIRST_BYTES = 32,  // 32, 64
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2),
     localparam int LINES = 64 / SAMPLES,
@@ -38,21 +39,23 @@ module hmlfc_strip_fill #(
     input logic [DATA_BITS-1:0] data
 );
 
-  localparam int HEAD_BITS = 20;  // width and base
-  localparam int RAW = 15;        // the width that stands for samples of 16 bits without base
-  localparam int MAX_BITS = HEAD_BITS + 64 * 16;
-  localparam int MAX_BEATS = (MAX_BITS + DATA_BITS - 1) / DATA_BITS;
-  localparam int FIRST_BYTES = 32;
+  localparam int RAW = 15;  // the width that stands for samples of 14 bits of which some are errors
+  localparam int RAW_BITS = 14;
+  localparam int HEAD_HALVES = 5;  // of 16 bits: width and base of each quarter of 16 samples
+  localparam int BEAT_HALVES = DATA_BITS / 16;
+  localparam int HALVES_BITS = 6;  // of a strip there are at most 61
+  localparam int MAX_BEATS = hmlfc_pkg::STRIP_BYTES * 8 / DATA_BITS;
   localparam int FIRST_BEATS = FIRST_BYTES * 8 / DATA_BITS;
-  localparam int BEAT_BITS = $clog2(MAX_BEATS + 1);
+  localparam int BEAT_BITS = $clog2(MAX_BEATS);
   localparam int SLOT_BITS = $clog2(SLOTS);
+  localparam int READY_BITS = 3;  // of the number of strips that wait unpacked
 
   // Slots: a ring of strips in flight.
   logic [SLOT_BITS:0] asked, taken;  // count strips; the low bits are the slot
   wire [SLOT_BITS-1:0] ask_slot = asked[SLOT_BITS-1:0];
   logic [SLOTS-1:0] complete, failed;
-  logic [ADDRESS_BITS-1:0] addresses[SLOTS];  // behind the first beats
-  logic [BEAT_BITS-1:0] totals[SLOTS];
+  logic [ADDRESS_BITS-1:7] addresses[SLOTS];
+  logic [HALVES_BITS-1:0] totals[SLOTS];
 
   // Reads to ask for: what is left of strips whose head has come, before the begins of others.
   logic first_valid, first_ready, more_valid;
@@ -61,77 +64,40 @@ module hmlfc_strip_fill #(
   logic more_push, burst_valid, burst_more;
   wire request_more = more_valid;
   wire [SLOT_BITS-1:0] request_slot = request_more ? more_slot : first_slot;
-  wire [BEAT_BITS-1:0] request_total = totals[more_slot];
+  wire [9:0] request_beats = (10'(totals[more_slot]) + 10'(BEAT_HALVES - 1)) >> $clog2(BEAT_HALVES);
   assign ask_ready = asked - taken != (SLOT_BITS + 1)'(SLOTS);
   assign request.valid = more_valid || first_valid;
   assign first_ready = response.ready && !request_more;
-  assign request.address = request_more ? addresses[more_slot] : first_address;
-  assign request.beats = request_more ? 10'(request_total) - 10'(FIRST_BEATS) : 10'(FIRST_BEATS);
-  hmlfc_fifo #(
-      .WIDTH(SLOT_BITS + ADDRESS_BITS),
-      .DEPTH(SLOTS)
-  ) firsts (
-      .clk,
-      .rst_n,
-      .in_valid(ask),
-      .in_ready(),
-      .in_data({ask_slot, ask_address}),
-      .out_valid(first_valid),
-      .out_ready(first_ready),
-      .out_data({first_slot, first_address}),
-      .count()
+  assign request.address = request_more ? {addresses[more_slot], 7'(FIRST_BYTES)} : first_address;
+  assign request.beats = request_more ? request_beats - 10'(FIRST_BEATS) : 10'(FIRST_BEATS);
+  hmlfc_fifo #(.WIDTH(SLOT_BITS + ADDRESS_BITS), .DEPTH(SLOTS)) firsts (
+      .clk, .rst_n, .in_valid(ask), .in_ready(), .in_data({ask_slot, ask_address}), .out_valid(first_valid),
+      .out_ready(first_ready), .out_data({first_slot, first_address}), .count()
   );
-  hmlfc_fifo #(
-      .WIDTH(SLOT_BITS),
-      .DEPTH(SLOTS)
-  ) mores (
-      .clk,
-      .rst_n,
-      .in_valid(more_push),
-      .in_ready(),
-      .in_data(burst_slot),
-      .out_valid(more_valid),
-      .out_ready(response.ready && request_more),
-      .out_data(more_slot),
-      .count()
+  hmlfc_fifo #(.WIDTH(SLOT_BITS), .DEPTH(SLOTS)) mores (
+      .clk, .rst_n, .in_valid(more_push), .in_ready(), .in_data(burst_slot), .out_valid(more_valid),
+      .out_ready(response.ready && request_more), .out_data(more_slot), .count()
   );
   // Whose data come next.
-  hmlfc_fifo #(
-      .WIDTH(SLOT_BITS + 1),
-      .DEPTH(2 * SLOTS)
-  ) bursts (
-      .clk,
-      .rst_n,
-      .in_valid(request.valid && response.ready),
-      .in_ready(),
-      .in_data({request_more, request_slot}),
-      .out_valid(burst_valid),
-      .out_ready(response.valid && response.last),
-      .out_data({burst_more, burst_slot}),
+  hmlfc_fifo #(.WIDTH(SLOT_BITS + 1), .DEPTH(2 * SLOTS)) bursts (
+      .clk, .rst_n, .in_valid(request.valid && response.ready), .in_ready(), .in_data({request_more, request_slot}),
+      .out_valid(burst_valid), .out_ready(response.valid && response.last), .out_data({burst_more, burst_slot}),
       .count()
   );
 
-  // The sum has a clock of its own; the first beats come later.
-  logic [SLOT_BITS-1:0] sum_slot;
-  logic [ADDRESS_BITS-1:0] sum_address;
-  always_ff @(posedge clk) begin
-    if (ask) begin
-      sum_slot <= ask_slot;
-      sum_address <= ask_address;
-    end
-    addresses[sum_slot] <= sum_address + ADDRESS_BITS'(FIRST_BYTES);
-  end
-
-  // Data. The head is in the first beat.
-  logic [BEAT_BITS-1:0] beat, total;
+  // Data. All widths are in the first beat.
+  logic [BEAT_BITS-1:0] beat;
+  logic [HALVES_BITS-1:0] head_total, total;
   logic burst_failed;
   wire [BEAT_BITS-1:0] at = beat + (burst_more ? BEAT_BITS'(FIRST_BEATS) : BEAT_BITS'(0));
-  wire [10:0] strip_bits = 11'(HEAD_BITS) + (data[3:0] == 4'(RAW) ? 11'd1024 : {1'b0, data[3:0], 6'd0});
-  wire [BEAT_BITS-1:0] head_total = BEAT_BITS'((strip_bits + 11'(DATA_BITS - 1)) / 11'(DATA_BITS));
-  wire [BEAT_BITS-1:0] now_total = beat == 0 ? head_total : total;
+  always_comb begin
+    head_total = HALVES_BITS'(HEAD_HALVES);
+    for (int q = 0; q < 4; q++) head_total = head_total + HALVES_BITS'(data[20*q+:4]) - HALVES_BITS'(&data[20*q+:4]);
+  end
+  wire [HALVES_BITS-1:0] now_total = beat == 0 ? head_total : total;
   wire now_failed = response.error || (beat != 0 && burst_failed);
   wire ends = response.valid && burst_valid && response.last;
-  assign more_push = ends && !burst_more && !now_failed && now_total > BEAT_BITS'(FIRST_BEATS);
+  assign more_push = ends && !burst_more && !now_failed && now_total > HALVES_BITS'(FIRST_BYTES / 2);
   always_ff @(posedge clk) begin
     if (response.valid) begin
       beat <= response.last ? '0 : beat + 1'b1;
@@ -140,6 +106,7 @@ module hmlfc_strip_fill #(
     end
     if (ask) begin
       asked <= asked + 1'b1;
+      addresses[ask_slot] <= ask_address[ADDRESS_BITS-1:7];
       complete[ask_slot] <= 1'b0;
       failed[ask_slot] <= 1'b0;
     end
@@ -154,94 +121,176 @@ module hmlfc_strip_fill #(
     end
   end
 
-  // Assembly of the oldest strip when it is complete, one beat a clock: a beat is read, then put into the strip; then
-  // the strip is offered.
-  logic [MAX_BEATS*DATA_BITS-1:0] assembly, strip;
-  logic [DATA_BITS-1:0] word;
-  logic [BEAT_BITS-1:0] number, word_number;
-  logic word_valid, word_last, word_failed, assembled, assembly_failed, strip_failed;
-  logic [PLACE_BITS-1:0] word_place, assembly_place;
+  // Rows of 128 bits of the oldest strip, when it is complete, one a clock; of a strip that failed one.
+  logic [2:0] number;
+  logic word_valid, word_first, word_failed, put;
+  logic [PLACE_BITS-1:0] word_place;
+  logic [127:0] word;
   wire [SLOT_BITS-1:0] slot = taken[SLOT_BITS-1:0];
   wire there = asked != taken && complete[slot];
-  wire last = failed[slot] || number + 1'b1 == totals[slot];
-  wire move = assembled && (!valid || take);
-  wire put = word_valid && (!assembled || move);
+  wire last = failed[slot] || number == 3'((totals[slot] - 1'b1) >> 3);
   wire read = there && (!word_valid || put);
-  hmlfc_ram #(
-      .WIDTH(DATA_BITS),
-      .DEPTH(SLOTS << BEAT_BITS)
-  ) beats (
-      .clk,
-      .write(response.valid),
-      .write_address({burst_slot, at}),
-      .write_data(data),
-      .read,
-      .read_address({slot, number}),
-      .read_data(word)
-  );
-  hmlfc_ram #(
-      .WIDTH(PLACE_BITS),
-      .DEPTH(SLOTS)
-  ) places (
-      .clk,
-      .write(ask),
-      .write_address(ask_slot),
-      .write_data(ask_place),
-      .read,
-      .read_address(slot),
+  if (DATA_BITS == 128) begin : g_whole
+    hmlfc_ram #(.WIDTH(128), .DEPTH(SLOTS * 8)) beats (
+        .clk, .write(response.valid), .write_address({burst_slot, at}), .write_data(data), .read,
+        .read_address({slot, number}), .read_data(word)
+    );
+  end else begin : g_halves
+    for (genvar l = 0; l < 2; l++) begin : g_lane
+      hmlfc_ram #(.WIDTH(64), .DEPTH(SLOTS * 8)) beats (
+          .clk, .write(response.valid && at[0] == 1'(l)), .write_address({burst_slot, at[BEAT_BITS-1:1]}),
+          .write_data(data), .read, .read_address({slot, number}), .read_data(word[l*64+:64])
+      );
+    end
+  end
+  hmlfc_ram #(.WIDTH(PLACE_BITS), .DEPTH(SLOTS)) places (
+      .clk, .write(ask), .write_address(ask_slot), .write_data(ask_place), .read, .read_address(slot),
       .read_data(word_place)
   );
   always_ff @(posedge clk) begin
     if (read) begin
-      word_number <= number;
-      word_last <= last;
+      word_first <= number == 0;
       word_failed <= failed[slot];
       number <= last ? '0 : number + 1'b1;
       if (last) taken <= taken + 1'b1;
-    end
-    if (put) begin
-      for (int n = 0; n < MAX_BEATS; n++) if (word_number == BEAT_BITS'(n)) assembly[n*DATA_BITS+:DATA_BITS] <= word;
-      assembly_failed <= word_failed;
-      assembly_place <= word_place;
-    end
-    if (move) begin
-      strip <= assembly;
-      strip_failed <= assembly_failed;
-      place <= assembly_place;
     end
     if (!rst_n) begin
       number <= '0;
       taken <= '0;
       word_valid <= 1'b0;
-      assembled <= 1'b0;
-      valid <= 1'b0;
+    end else word_valid <= read || (word_valid && !put);
+  end
+
+  // A window of three rows, of which the first `rows` hold the strip from the next quarter on, which begins `half`
+  // halves after their begin; then the samples of a quarter, 16 fields.
+  logic active, strip_failed;
+  logic [PLACE_BITS-1:0] strip_place;
+  logic [79:0] heads;
+  logic [1:0] quarter, rows;
+  logic [2:0] half;
+  logic [3*128-1:0] window;
+  wire [3:0] width = heads[3:0];
+  wire [3:0] halves = width == 4'(RAW) ? 4'(RAW_BITS) : width;
+  wire [4:0] next_half = 5'(half) + 5'(halves);
+  wire enough = strip_failed || 5'({rows, 3'd0}) >= next_half;
+  logic fields_valid, fields_move;
+  wire go = active && enough && (!fields_valid || fields_move);
+  wire finishes = go && quarter == 2'd3;
+  wire starts = word_valid && word_first && (!active || finishes);
+  wire [1:0] dropped = go ? next_half[4:3] : 2'd0;
+  wire [1:0] left = rows - dropped;
+  wire adds = active && word_valid && !word_first && !finishes && left != 2'd3;
+  assign put = starts || adds;
+  logic [3*128-1:0] dropped_window;
+  always_comb begin
+    unique case (dropped)
+      2'd0: dropped_window = window;
+      2'd1: dropped_window = {window[383:256], window[383:128]};
+      default: dropped_window = {window[383:128], window[383:256]};
+    endcase
+  end
+
+  logic [RAW_BITS*16-1:0] fields;
+  logic [3:0] fields_width;
+  logic [15:0] fields_base;
+  logic [1:0] fields_quarter;
+  logic fields_failed;
+  logic [PLACE_BITS-1:0] fields_place;
+  always_ff @(posedge clk) begin
+    if (starts) begin
+      window[127:0] <= word;
+      heads <= word[79:0];
+      {half, rows, quarter} <= {3'(HEAD_HALVES), 2'd1, 2'd0};
+      strip_failed <= word_failed;
+      strip_place <= word_place;
     end else begin
-      word_valid <= read || (word_valid && !put);
-      assembled <= (put && word_last) || (assembled && !move);
-      valid <= move || (valid && !take);
+      for (int r = 0; r < 3; r++) begin
+        window[r*128+:128] <= adds && left == 2'(r) ? word : dropped_window[r*128+:128];
+      end
+      rows <= left + 2'(adds);
+      if (go) begin
+        heads <= heads >> 20;
+        half <= next_half[2:0];
+        quarter <= quarter + 2'd1;
+      end
+    end
+    if (go) begin
+      fields <= (RAW_BITS*16)'(window >> {half, 4'd0});
+      fields_width <= width;
+      fields_base <= heads[19:4];
+      fields_quarter <= quarter;
+      fields_failed <= strip_failed;
+      fields_place <= strip_place;
+    end
+    if (!rst_n) begin
+      active <= 1'b0;
+      fields_valid <= 1'b0;
+    end else begin
+      active <= starts || (active && !finishes);
+      fields_valid <= go || (fields_valid && !fields_move);
     end
   end
 
-  // Samples: base + a field of `width` bits, or 16 bits of their own.
-  wire [3:0] width = strip[3:0];
-  wire signed [15:0] base = strip[19:4];
-  logic [64*16-1:0] samples;
+  // Samples: base + a field of `width` bits. In a quarter of width RAW a bit of the base says of each four samples
+  // whether they are an error.
+  wire raw = fields_width == 4'(RAW);
+  wire [RAW_BITS*16+1:0] padded = {2'd0, fields};
+  logic [16*SAMPLE_BITS-1:0] samples;
+  localparam int ERRORS = SAMPLES < 16 ? 16 / SAMPLES : 1;  // of a quarter
+  logic [ERRORS*6-1:0] errors;
+  always_comb begin
+    for (int s = 0; s < 16; s++) begin
+      logic [15:0] field;
+      field = 16'(fields[RAW_BITS*s+:RAW_BITS]) & {16{raw}};
+      for (int w = 1; w <= (SAMPLE_BITS < RAW_BITS ? SAMPLE_BITS : RAW_BITS); w++) begin
+        field = field | (padded[w*s+:16] & 16'((1 << w) - 1) & {16{fields_width == 4'(w)}});
+      end
+      samples[s*SAMPLE_BITS+:SAMPLE_BITS] =
+          SAMPLE_BITS'(field) + (raw ? '0 : fields_base[SAMPLE_BITS-1:0]);
+    end
+    for (int e = 0; e < ERRORS; e++) begin
+      errors[e*6+:6] = fields_failed ? HMLFC_ERROR_BUS_ERROR :
+          raw && fields_base[e] ? fields[e*4*RAW_BITS+:6] : 6'd0;
+    end
+  end
+
+  // Strips that are unpacked, quarter by quarter, and the one that is offered.
+  localparam int QUARTER_BITS = ERRORS * 6 + 16 * SAMPLE_BITS;
+  logic [READY_BITS:0] unpacked, offered;  // count strips
+  wire write = fields_valid && fields_move;
+  wire offer = unpacked != offered && (!valid || take);
+  logic [4*QUARTER_BITS-1:0] quarters;
+  assign fields_move = unpacked - offered != (READY_BITS + 1)'(1 << READY_BITS);
+  for (genvar q = 0; q < 4; q++) begin : g_quarter
+    hmlfc_ram #(.WIDTH(QUARTER_BITS), .DEPTH(1 << READY_BITS)) lines_of (
+        .clk, .write(write && fields_quarter == 2'(q)), .write_address(unpacked[READY_BITS-1:0]),
+        .write_data({errors, samples}), .read(offer), .read_address(offered[READY_BITS-1:0]),
+        .read_data(quarters[q*QUARTER_BITS+:QUARTER_BITS])
+    );
+  end
+  hmlfc_ram #(.WIDTH(PLACE_BITS), .DEPTH(1 << READY_BITS)) ready_places (
+      .clk, .write, .write_address(unpacked[READY_BITS-1:0]), .write_data(fields_place), .read(offer),
+      .read_address(offered[READY_BITS-1:0]), .read_data(place)
+  );
+  always_ff @(posedge clk) begin
+    if (!rst_n) begin
+      unpacked <= '0;
+      offered <= '0;
+      valid <= 1'b0;
+    end else begin
+      if (write && fields_quarter == 2'd3) unpacked <= unpacked + 1'b1;
+      if (offer) offered <= offered + 1'b1;
+      valid <= offer || (valid && !take);
+    end
+  end
   always_comb begin
     for (int s = 0; s < 64; s++) begin
-      logic [15:0] field;
-      field = '0;
-      for (int w = 1; w <= SAMPLE_BITS; w++) begin
-        field = field | (strip[HEAD_BITS+w*s+:16] & 16'((1 << w) - 1) & {16{width == 4'(w)}});
+      lines[s/SAMPLES*LINE_BITS+s%SAMPLES*SAMPLE_BITS+:SAMPLE_BITS] =
+          quarters[s/16*QUARTER_BITS+s%16*SAMPLE_BITS+:SAMPLE_BITS];
+      if (s % SAMPLES == 0) begin
+        lines[s/SAMPLES*LINE_BITS+SAMPLES*SAMPLE_BITS+:6] =
+            quarters[s/16*QUARTER_BITS+16*SAMPLE_BITS+s%16/SAMPLES*6+:6];
       end
-      samples[16*s+:16] = width == 4'(RAW) ? strip[HEAD_BITS+16*s+:16] : 16'(base) + field;
-    end
-    for (int l = 0; l < LINES; l++) begin
-      for (int s = 0; s < SAMPLES; s++) begin
-        lines[l*LINE_BITS+s*SAMPLE_BITS+:SAMPLE_BITS] = samples[16*(l*SAMPLES+s)+:SAMPLE_BITS];
-      end
-      lines[l*LINE_BITS+SAMPLES*SAMPLE_BITS+:6] =
-          strip_failed ? HMLFC_ERROR_BUS_ERROR :
-          width == 4'(RAW) && samples[16*l*SAMPLES+5+:11] == 11'h400 ? {1'b0, samples[16*l*SAMPLES+:5]} : 6'd0;
     end
   end
 

@@ -5,8 +5,8 @@
 // Brings the tile records of three stores: walks the index and fetches each record into the store's memory.
 //
 // Loads of a store (`load_*`) are taken in its order; of two stores that have one, the one of higher number goes first,
-// whose blocks come later. `write` of a store puts the beat `data` into its memory, at `write_beat`, in the low bits: the
-// context and its beat. Each load ends with one `parse_*` of its store, those without a record early: the context, the
+// whose blocks come later. `write` of a store puts the beat `data` into its memory, at `write_beat`, in the low bits:
+// the context and its beat. Each load ends with one `parse_*` of its store, those without a record early: the context, the
 // error of the walk or a bus error, `empty`, and where the record lies: bit `skew` of the context's part of the memory
 // is bit 0 of the record, which has `bits` bits (2^18 - 1 stands for that or more). Of a record longer than a context's
 // part only what fits is fetched: no field lies beyond (section 11).
@@ -29,7 +29,8 @@ module hmlfc_tile_fetch #(
     localparam int INFO_BITS = hmlfc_pkg::TILE_INFO_BITS,
     localparam int BEAT_LOG2 = $clog2(DATA_BITS / 8),
     localparam int LOAD_BITS = 5 + INFO_BITS + TILE_BITS,  // {context, info, tile}
-    localparam int PARSE_BITS = 5 + INFO_BITS + 6 + 1 + BEAT_LOG2 + 3 + POSITION_BITS,  // {context, info, error, empty, skew, bits}
+    // {context, info, error, empty, skew, bits}
+    localparam int PARSE_BITS = 5 + INFO_BITS + 6 + 1 + BEAT_LOG2 + 3 + POSITION_BITS,
     localparam int BEAT_BITS = 5 + 10  // of a place in a memory
 ) (
     input logic clk,
@@ -80,28 +81,12 @@ module hmlfc_tile_fetch #(
   logic [5:0] found_error;
   logic [ADDRESS_BITS-1:0] found_address;
   logic [31:0] found_bytes;
-  hmlfc_tile_walk #(
-      .DATA_BITS(DATA_BITS),
-      .INFO_BITS(WAY_BITS)
-  ) walk (
-      .clk,
-      .rst_n,
-      .stream,
-      .flush,
-      .in_valid(held),
-      .in_ready(walk_ready),
-      .in_tile(load[TILE_BITS-1:0]),
-      .in_info({store, load[LOAD_BITS-1:TILE_BITS]}),
-      .out_valid(found_valid),
-      .out_ready(found_ready),
-      .out_info(found_way),
-      .out_error(found_error),
-      .out_empty(found_empty),
-      .out_address(found_address),
-      .out_bytes(found_bytes),
-      .request(requests[READ_REQUEST_BITS+:READ_REQUEST_BITS]),
-      .response(responses[READ_RESPONSE_BITS+:READ_RESPONSE_BITS]),
-      .data
+  hmlfc_tile_walk #(.DATA_BITS(DATA_BITS), .INFO_BITS(WAY_BITS)) walk (
+      .clk, .rst_n, .stream, .flush, .in_valid(held), .in_ready(walk_ready), .in_tile(load[TILE_BITS-1:0]),
+      .in_info({store, load[LOAD_BITS-1:TILE_BITS]}), .out_valid(found_valid), .out_ready(found_ready),
+      .out_info(found_way), .out_error(found_error), .out_empty(found_empty), .out_address(found_address),
+      .out_bytes(found_bytes), .request(requests[READ_REQUEST_BITS+:READ_REQUEST_BITS]),
+      .response(responses[READ_RESPONSE_BITS+:READ_RESPONSE_BITS]), .data
   );
 
   // The beats of the record that was found.
@@ -137,19 +122,9 @@ module hmlfc_tile_fetch #(
   logic [ON_WAY_BITS-1:0] way;
   wire [1:0] way_store = way[ON_WAY_BITS-1-:2];
   wire [4:0] way_context = way[ON_WAY_BITS-3-:5];
-  hmlfc_fifo #(
-      .WIDTH(ON_WAY_BITS),
-      .DEPTH(FETCHES)
-  ) on_way (
-      .clk,
-      .rst_n,
-      .in_valid(begins),
-      .in_ready(way_ready),
-      .in_data({found_way, offset, 3'd0, found_bits}),
-      .out_valid(),
-      .out_ready(arrives),
-      .out_data(way),
-      .count()
+  hmlfc_fifo #(.WIDTH(ON_WAY_BITS), .DEPTH(FETCHES)) on_way (
+      .clk, .rst_n, .in_valid(begins), .in_ready(way_ready), .in_data({found_way, offset, 3'd0, found_bits}),
+      .out_valid(), .out_ready(arrives), .out_data(way), .count()
   );
 
   logic [9:0] beat;
@@ -174,19 +149,10 @@ module hmlfc_tile_fetch #(
   wire [5+INFO_BITS-1:0] end_load = arrives ? way[ON_WAY_BITS-3-:5+INFO_BITS] : found_way[5+INFO_BITS-1:0];
   wire [5:0] end_error = !arrives ? found_error : now_failed ? 6'(HMLFC_ERROR_BUS_ERROR) : 6'd0;
   for (genvar s = 0; s < 3; s++) begin : g_store
-    hmlfc_fifo #(
-        .WIDTH(PARSE_BITS),
-        .DEPTH(s == 0 ? CONTEXTS_0 : s == 1 ? CONTEXTS_1 : CONTEXTS_2)
-    ) brought (
-        .clk,
-        .rst_n,
-        .in_valid((arrives || ends) && end_store == 2'(s)),
-        .in_ready(),
+    hmlfc_fifo #(.WIDTH(PARSE_BITS), .DEPTH(s == 0 ? CONTEXTS_0 : s == 1 ? CONTEXTS_1 : CONTEXTS_2)) brought (
+        .clk, .rst_n, .in_valid((arrives || ends) && end_store == 2'(s)), .in_ready(),
         .in_data({end_load, end_error, !arrives && found_empty, way[BEAT_LOG2+3+POSITION_BITS-1:0]}),
-        .out_valid(parse_valid[s]),
-        .out_ready(parse_ready[s]),
-        .out_data(parses[s*PARSE_BITS+:PARSE_BITS]),
-        .count()
+        .out_valid(parse_valid[s]), .out_ready(parse_ready[s]), .out_data(parses[s*PARSE_BITS+:PARSE_BITS]), .count()
     );
   end
 

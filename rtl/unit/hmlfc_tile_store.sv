@@ -85,29 +85,10 @@ module hmlfc_tile_store #(
   logic [TILE_BITS-1:0] load_tile;
   logic [CONTEXTS-1:0] ready;
   assign load = {5'(load_context), hmlfc_pkg::TILE_INFO_BITS'(load_info), load_tile};
-  hmlfc_tile_contexts #(
-      .CONTEXTS(CONTEXTS),
-      .INFO_BITS(INFO_BITS)
-  ) contexts (
-      .clk,
-      .rst_n,
-      .flush,
-      .ask,
-      .tile(ask_tile),
-      .info(ask_info),
-      .granted,
-      .context_number(granted_context),
-      .load_valid,
-      .load_ready,
-      .load_context,
-      .load_tile,
-      .load_info,
-      .loaded_valid,
-      .loaded_context,
-      .loaded_keep,
-      .ready,
-      .release_valid,
-      .release_context
+  hmlfc_tile_contexts #(.CONTEXTS(CONTEXTS), .INFO_BITS(INFO_BITS)) contexts (
+      .clk, .rst_n, .flush, .ask, .tile(ask_tile), .info(ask_info), .granted, .context_number(granted_context),
+      .load_valid, .load_ready, .load_context, .load_tile, .load_info, .loaded_valid, .loaded_context, .loaded_keep,
+      .ready, .release_valid, .release_context
   );
 
   logic [PARSER_READS-1:0] parser_enable;
@@ -116,19 +97,9 @@ module hmlfc_tile_store #(
   logic blocks_enable;
   logic [WORD_BITS-1:0] blocks_word;
   logic [WINDOW_BITS-1:0] blocks_window;
-  hmlfc_record_ram #(
-      .DATA_BITS(DATA_BITS),
-      .BANKS(BANKS),
-      .WORDS(CONTEXTS * CONTEXT_WORDS),
-      .READS(READS)
-  ) records (
-      .clk,
-      .write,
-      .write_beat,
-      .write_data(data),
-      .read_enable({blocks_enable, parser_enable}),
-      .read_word({blocks_word, parser_word}),
-      .window({blocks_window, parser_window})
+  hmlfc_record_ram #(.DATA_BITS(DATA_BITS), .BANKS(BANKS), .WORDS(CONTEXTS * CONTEXT_WORDS), .READS(READS)) records (
+      .clk, .write, .write_beat, .write_data(data), .read_enable({blocks_enable, parser_enable}),
+      .read_word({blocks_word, parser_word}), .window({blocks_window, parser_window})
   );
 
   if (RESIDUALS) begin : g_residuals
@@ -138,76 +109,23 @@ module hmlfc_tile_store #(
     logic [17:0] vector_data;
     logic [ENTRY_BITS-1:0] entry_data;
     hmlfc_residual_parser #(
-        .BLOCK_LOG2(BLOCK_LOG2),
-        .CONTEXTS(CONTEXTS),
-        .CONTEXT_WORDS(CONTEXT_WORDS),
-        .WINDOW_BITS(WINDOW_BITS),
+        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS),
         .SKEW_BITS(SKEW_BITS)
     ) parser (
-        .clk,
-        .rst_n,
-        .stream,
-        .parse_valid,
-        .parse_ready,
-        .parse_context,
-        .parse_info,
-        .parse_error,
-        .parse_empty,
-        .parse_skew,
-        .parse_bits,
-        .read_enable(parser_enable),
-        .read_word(parser_word),
-        .window(parser_window),
-        .head_write,
-        .head_error,
-        .head_motion,
-        .head_residual,
-        .vector_write,
-        .vector_number,
-        .vector_data,
-        .entry_write,
-        .entry_number,
-        .entry_data,
-        .loaded_valid,
-        .loaded_context,
-        .loaded_keep
+        .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
+        .parse_skew, .parse_bits, .read_enable(parser_enable), .read_word(parser_word), .window(parser_window),
+        .head_write, .head_error, .head_motion, .head_residual, .vector_write, .vector_number, .vector_data,
+        .entry_write, .entry_number, .entry_data, .loaded_valid, .loaded_context, .loaded_keep
     );
 
     hmlfc_residual_blocks #(
-        .BLOCK_LOG2(BLOCK_LOG2),
-        .MAX_DEPTH(MAX_DEPTH),
-        .CONTEXTS(CONTEXTS),
-        .CONTEXT_WORDS(CONTEXT_WORDS),
+        .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS),
         .WINDOW_BITS(WINDOW_BITS)
     ) blocks (
-        .clk,
-        .rst_n,
-        .stream,
-        .ready,
-        .release_valid,
-        .release_context,
-        .head_write,
-        .vector_write,
-        .entry_write,
-        .parsed_context(loaded_context),
-        .head_error,
-        .head_motion,
-        .head_residual,
-        .vector_number,
-        .vector_data,
-        .entry_number,
-        .entry_data,
-        .read_enable(blocks_enable),
-        .read_word(blocks_word),
-        .window(blocks_window),
-        .in_valid,
-        .in_ready,
-        .in_flow,
-        .out_valid,
-        .out_ready,
-        .out_flow,
-        .out_has_residual,
-        .out_residual
+        .clk, .rst_n, .stream, .ready, .release_valid, .release_context, .head_write, .vector_write, .entry_write,
+        .parsed_context(loaded_context), .head_error, .head_motion, .head_residual, .vector_number, .vector_data,
+        .entry_number, .entry_data, .read_enable(blocks_enable), .read_word(blocks_word), .window(blocks_window),
+        .in_valid, .in_ready, .in_flow, .out_valid, .out_ready, .out_flow, .out_has_residual, .out_residual
     );
   end else begin : g_no_residual
     assign out_has_residual = 1'b0;
@@ -227,75 +145,22 @@ module hmlfc_tile_store #(
     logic [2:0] palette_number;
     hmlfc_pkg::motion_t palette_entry;
     hmlfc_motion_parser #(
-        .BLOCK_LOG2(BLOCK_LOG2),
-        .CONTEXTS(CONTEXTS),
-        .CONTEXT_WORDS(CONTEXT_WORDS),
-        .WINDOW_BITS(WINDOW_BITS),
+        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS),
         .SKEW_BITS(SKEW_BITS)
     ) parser (
-        .clk,
-        .rst_n,
-        .stream,
-        .parse_valid,
-        .parse_ready,
-        .parse_context,
-        .parse_info,
-        .parse_error,
-        .parse_empty,
-        .parse_skew,
-        .parse_bits,
-        .read_enable(parser_enable),
-        .read_word(parser_word),
-        .window(parser_window),
-        .head_write,
-        .head_error,
-        .head_block_log2,
-        .head_columns,
-        .head_palette_size,
-        .head_level_code,
-        .head_total,
-        .head_position,
-        .palette_write,
-        .palette_number,
-        .palette_entry,
-        .loaded_valid,
-        .loaded_context,
-        .loaded_keep
+        .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
+        .parse_skew, .parse_bits, .read_enable(parser_enable), .read_word(parser_word), .window(parser_window),
+        .head_write, .head_error, .head_block_log2, .head_columns, .head_palette_size, .head_level_code, .head_total,
+        .head_position, .palette_write, .palette_number, .palette_entry, .loaded_valid, .loaded_context, .loaded_keep
     );
 
     hmlfc_motion_blocks #(
-        .BLOCK_LOG2(BLOCK_LOG2),
-        .CONTEXTS(CONTEXTS),
-        .CONTEXT_WORDS(CONTEXT_WORDS),
-        .WINDOW_BITS(WINDOW_BITS)
+        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS)
     ) blocks (
-        .clk,
-        .rst_n,
-        .stream,
-        .ready,
-        .release_valid,
-        .release_context,
-        .parsed_context(loaded_context),
-        .head_write,
-        .head_error,
-        .head_block_log2,
-        .head_columns,
-        .head_palette_size,
-        .head_level_code,
-        .head_total,
-        .head_position,
-        .palette_write,
-        .palette_number,
-        .palette_entry,
-        .read_enable(blocks_enable),
-        .read_word(blocks_word),
-        .window(blocks_window),
-        .in_valid,
-        .in_ready,
-        .in_flow,
-        .out_valid,
-        .out_ready,
-        .out_flow
+        .clk, .rst_n, .stream, .ready, .release_valid, .release_context, .parsed_context(loaded_context), .head_write,
+        .head_error, .head_block_log2, .head_columns, .head_palette_size, .head_level_code, .head_total, .head_position,
+        .palette_write, .palette_number, .palette_entry, .read_enable(blocks_enable), .read_word(blocks_word),
+        .window(blocks_window), .in_valid, .in_ready, .in_flow, .out_valid, .out_ready, .out_flow
     );
   end
 
@@ -307,65 +172,19 @@ module hmlfc_tile_store #(
     logic [13:0] head_total;
     logic [POSITION_BITS-1:0] head_position;
     hmlfc_disparity_parser #(
-        .CONTEXTS(CONTEXTS),
-        .CONTEXT_WORDS(CONTEXT_WORDS),
-        .WINDOW_BITS(WINDOW_BITS),
-        .SKEW_BITS(SKEW_BITS)
+        .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS), .SKEW_BITS(SKEW_BITS)
     ) parser (
-        .clk,
-        .rst_n,
-        .stream,
-        .parse_valid,
-        .parse_ready,
-        .parse_context,
-        .parse_info,
-        .parse_error,
-        .parse_empty,
-        .parse_skew,
-        .parse_bits,
-        .read_enable(parser_enable),
-        .read_word(parser_word),
-        .window(parser_window),
-        .head_error,
-        .head_least,
-        .head_columns,
-        .head_level_code,
-        .head_total,
-        .head_position,
-        .loaded_valid,
-        .loaded_context,
-        .loaded_keep
+        .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
+        .parse_skew, .parse_bits, .read_enable(parser_enable), .read_word(parser_word), .window(parser_window),
+        .head_error, .head_least, .head_columns, .head_level_code, .head_total, .head_position, .loaded_valid,
+        .loaded_context, .loaded_keep
     );
 
-    hmlfc_disparity_blocks #(
-        .CONTEXTS(CONTEXTS),
-        .CONTEXT_WORDS(CONTEXT_WORDS),
-        .WINDOW_BITS(WINDOW_BITS)
-    ) blocks (
-        .clk,
-        .rst_n,
-        .ready,
-        .release_valid,
-        .release_context,
-        .parsed_context(loaded_context),
-        .head_error,
-        .head_least,
-        .head_columns,
-        .head_level_code,
-        .head_total,
-        .head_position,
-        .head_write(loaded_valid),
-        .read_enable(blocks_enable),
-        .read_word(blocks_word),
-        .window(blocks_window),
-        .in_valid,
-        .in_ready,
-        .in_flow,
-        .in_x,
-        .in_y,
-        .out_valid,
-        .out_ready,
-        .out_flow
+    hmlfc_disparity_blocks #(.CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS)) blocks (
+        .clk, .rst_n, .ready, .release_valid, .release_context, .parsed_context(loaded_context), .head_error,
+        .head_least, .head_columns, .head_level_code, .head_total, .head_position, .head_write(loaded_valid),
+        .read_enable(blocks_enable), .read_word(blocks_word), .window(blocks_window), .in_valid, .in_ready, .in_flow,
+        .in_x, .in_y, .out_valid, .out_ready, .out_flow
     );
   end
 

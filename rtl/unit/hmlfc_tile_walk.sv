@@ -58,22 +58,9 @@ module hmlfc_tile_walk #(
   logic [2:0] ask, ask_ready, come, take, read_error;
   logic [3*ADDRESS_BITS-1:0] ask_address;
   logic [3*128-1:0] read_bytes;
-  hmlfc_index_reads #(
-      .DATA_BITS(DATA_BITS),
-      .DEPTH(WALKS)
-  ) reads (
-      .clk,
-      .rst_n,
-      .ask,
-      .ask_ready,
-      .address(ask_address),
-      .valid(come),
-      .take,
-      .bytes(read_bytes),
-      .error(read_error),
-      .request,
-      .response,
-      .data
+  hmlfc_index_reads #(.DATA_BITS(DATA_BITS), .DEPTH(WALKS)) reads (
+      .clk, .rst_n, .ask, .ask_ready, .address(ask_address), .valid(come), .take, .bytes(read_bytes),
+      .error(read_error), .request, .response, .data
   );
 
   // ---- Look-up, two clocks a walk: tags are read, compared and written.
@@ -97,29 +84,14 @@ module hmlfc_tile_walk #(
     forgets <= !rst_n || flush || forget || (forgets && forgotten != SLOT_BITS'(GROUPS - 1));
     forgotten <= !rst_n || flush || forget ? '0 : forgotten + 1'b1;
   end
-  hmlfc_ram #(
-      .WIDTH(1 + TAG_BITS),
-      .DEPTH(GROUPS)
-  ) group_tags (
-      .clk,
-      .write(forgets || in_ready),
-      .write_address(forgets ? forgotten : in_slot),
-      .write_data({!forgets, in_tag}),
-      .read(!looking),
-      .read_address(in_slot),
-      .read_data({kept_valid, kept_tag})
+  hmlfc_ram #(.WIDTH(1 + TAG_BITS), .DEPTH(GROUPS)) group_tags (
+      .clk, .write(forgets || in_ready), .write_address(forgets ? forgotten : in_slot), .write_data({!forgets, in_tag}),
+      .read(!looking), .read_address(in_slot), .read_data({kept_valid, kept_tag})
   );
-  hmlfc_ram #(
-      .WIDTH(1 + ROOT_TAG_BITS),
-      .DEPTH(ROOTS)
-  ) root_tags (
-      .clk,
-      .write(forgets || (in_ready && !root_hit)),
-      .write_address(forgets ? forgotten[ROOT_SLOT_BITS-1:0] : in_root_slot),
-      .write_data({!forgets, in_root_tag}),
-      .read(!looking),
-      .read_address(in_root_slot),
-      .read_data({kept_root_valid, kept_root_tag})
+  hmlfc_ram #(.WIDTH(1 + ROOT_TAG_BITS), .DEPTH(ROOTS)) root_tags (
+      .clk, .write(forgets || (in_ready && !root_hit)),
+      .write_address(forgets ? forgotten[ROOT_SLOT_BITS-1:0] : in_root_slot), .write_data({!forgets, in_root_tag}),
+      .read(!looking), .read_address(in_root_slot), .read_data({kept_root_valid, kept_root_tag})
   );
 
   // ---- Root entry: one clock where the group's record is kept, else seven.
@@ -127,45 +99,23 @@ module hmlfc_tile_walk #(
   logic [PLACE_BITS-1:0] root_tile;
   logic [INFO_BITS-1:0] root_info;
   wire [ROOT_SLOT_BITS-1:0] root_slot = root_tile[12+:ROOT_SLOT_BITS];
-  hmlfc_fifo #(
-      .WIDTH(INFO_BITS + PLACE_BITS + 2),
-      .DEPTH(WALKS)
-  ) to_root (
-      .clk,
-      .rst_n,
-      .in_valid(in_ready),
-      .in_ready(root_ready),
-      .in_data({in_info, in_tile[PLACE_BITS-1:0], group_hit, !root_hit}),
-      .out_valid(root_valid),
-      .out_ready(root_take),
-      .out_data({root_info, root_tile, root_group_hit, root_read}),
-      .count()
+  hmlfc_fifo #(.WIDTH(INFO_BITS + PLACE_BITS + 2), .DEPTH(WALKS)) to_root (
+      .clk, .rst_n, .in_valid(in_ready), .in_ready(root_ready),
+      .in_data({in_info, in_tile[PLACE_BITS-1:0], group_hit, !root_hit}), .out_valid(root_valid), .out_ready(root_take),
+      .out_data({root_info, root_tile, root_group_hit, root_read}), .count()
   );
   logic [2:0] root_step;
   logic [128:0] kept_root;  // {a bus error, number of the first record, mask}
   wire [128:0] root = root_read ? {read_error[0], read_bytes[0+:128]} : kept_root;
   wire root_comes = root_valid && !root_group_hit && (!root_read || come[0]);
   wire keeps_root = root_step == 3'd1 && root_read;
-  hmlfc_ram #(
-      .WIDTH(129),
-      .DEPTH(ROOTS)
-  ) root_entries (
-      .clk,
-      .write(keeps_root),
-      .write_address(root_slot),
-      .write_data(root),
-      .read(root_step == 3'd0),
-      .read_address(root_slot),
-      .read_data(kept_root)
+  hmlfc_ram #(.WIDTH(129), .DEPTH(ROOTS)) root_entries (
+      .clk, .write(keeps_root), .write_address(root_slot), .write_data(root), .read(root_step == 3'd0),
+      .read_address(root_slot), .read_data(kept_root)
   );
   logic [6:0] root_rank;
   hmlfc_mask_count root_count (
-      .clk,
-      .advance(1'b1),
-      .mask(root[63:0]),
-      .all(1'b0),
-      .place(root_tile[11:6]),
-      .count(root_rank)
+      .clk, .advance(1'b1), .mask(root[63:0]), .all(1'b0), .place(root_tile[11:6]), .count(root_rank)
   );
   // IDX-4: the number of the tile group's record. The first one may be any 64-bit number; above NUMBER_BITS it is
   // outside.
@@ -189,19 +139,11 @@ module hmlfc_tile_walk #(
   logic group_valid, group_take, was_kept, group_asked, group_outside, root_failed;
   logic [SLOT_BITS+5:0] group_tile;
   logic [INFO_BITS-1:0] group_info;
-  hmlfc_fifo #(
-      .WIDTH(INFO_BITS + 6 + SLOT_BITS + 4),
-      .DEPTH(WALKS)
-  ) to_group (
-      .clk,
-      .rst_n,
-      .in_valid(root_take),
-      .in_ready(group_ready),
+  hmlfc_fifo #(.WIDTH(INFO_BITS + 6 + SLOT_BITS + 4), .DEPTH(WALKS)) to_group (
+      .clk, .rst_n, .in_valid(root_take), .in_ready(group_ready),
       .in_data({root_info, root_tile[SLOT_BITS+5:0], root_group_hit, ask[1], there && outside, root[128]}),
-      .out_valid(group_valid),
-      .out_ready(group_take),
-      .out_data({group_info, group_tile, was_kept, group_asked, group_outside, root_failed}),
-      .count()
+      .out_valid(group_valid), .out_ready(group_take),
+      .out_data({group_info, group_tile, was_kept, group_asked, group_outside, root_failed}), .count()
   );
   wire [SLOT_BITS-1:0] group_slot = group_tile[6+:SLOT_BITS];
   localparam int STAGES = 8;
@@ -229,17 +171,9 @@ module hmlfc_tile_walk #(
   assign new_record = {asked_1 || outside_1 || root_failed_1, new_error, bytes_1[117:112], bytes_1[111:0]};
   assign keeps_group = valid[1] && !was_kept_1 && advance;
   assign forget = keeps_group && group_failed;
-  hmlfc_ram #(
-      .WIDTH(RECORD_BITS),
-      .DEPTH(GROUPS)
-  ) group_records (
-      .clk,
-      .write(keeps_group),
-      .write_address(slot_1),
-      .write_data(new_record),
-      .read(advance),
-      .read_address(group_slot),
-      .read_data(kept_record)
+  hmlfc_ram #(.WIDTH(RECORD_BITS), .DEPTH(GROUPS)) group_records (
+      .clk, .write(keeps_group), .write_address(slot_1), .write_data(new_record), .read(advance),
+      .read_address(group_slot), .read_data(kept_record)
   );
 
   // 2: the record. 3 to 5: how many entries its end table has, and how many are below the tile's.
@@ -247,26 +181,17 @@ module hmlfc_tile_walk #(
   logic [5:0] lane_2;
   logic [6:0] entries, below;
   hmlfc_mask_count count_all (
-      .clk,
-      .advance,
-      .mask(record_2[63:0]),
-      .all(1'b1),
-      .place(lane_2),
-      .count(entries)
+      .clk, .advance, .mask(record_2[63:0]), .all(1'b1), .place(lane_2), .count(entries)
   );
   hmlfc_mask_count count_below (
-      .clk,
-      .advance,
-      .mask(record_2[63:0]),
-      .all(1'b0),
-      .place(lane_2),
-      .count(below)
+      .clk, .advance, .mask(record_2[63:0]), .all(1'b0), .place(lane_2), .count(below)
   );
   // What goes along from stage 3 on: {info, there is one, the tile has an entry, error, offset_bits, data}.
   localparam int CARRY_BITS = INFO_BITS + 2 + 6 + 6 + 48;
   logic [2*INFO_BITS-1:0] infos;
   logic [(STAGES-2)*CARRY_BITS-1:0] carries;
-  wire [CARRY_BITS-INFO_BITS-1:0] carry_2 = {record_2[RECORD_BITS-1], record_2[{1'b0, lane_2}], record_2[RECORD_BITS-2:64]};
+  wire [CARRY_BITS-INFO_BITS-1:0] carry_2 =
+      {record_2[RECORD_BITS-1], record_2[{1'b0, lane_2}], record_2[RECORD_BITS-2:64]};
 
   // 6: sizes of the table and of what of it lies before the entry before the tile's. 7: where the records begin, and
   // the two entries that bound the tile's, or the one, for the first. 8: whether the table lies in the section.
@@ -320,16 +245,9 @@ module hmlfc_tile_walk #(
   logic [5:0] bound_error, bound_offset_bits;
   logic [48:0] bound_records;
   logic [2:0] bound_shift;
-  hmlfc_fifo #(
-      .WIDTH(INFO_BITS + 6 + 1 + 6 + 49 + 3 + 1),
-      .DEPTH(WALKS)
-  ) to_table (
-      .clk,
-      .rst_n,
-      .in_valid(valid[STAGES] && (!needs_table || ask_ready[2])),
-      .in_ready(table_ready),
-      .in_data({info_8, group_error, needs_table, offset_bits_8, records_8, shift_8, first_8}),
-      .out_valid(bound_valid),
+  hmlfc_fifo #(.WIDTH(INFO_BITS + 6 + 1 + 6 + 49 + 3 + 1), .DEPTH(WALKS)) to_table (
+      .clk, .rst_n, .in_valid(valid[STAGES] && (!needs_table || ask_ready[2])), .in_ready(table_ready),
+      .in_data({info_8, group_error, needs_table, offset_bits_8, records_8, shift_8, first_8}), .out_valid(bound_valid),
       .out_ready(bound_advance && bound_enter),
       .out_data({bound_info, bound_error, bound_asked, bound_offset_bits, bound_records, bound_shift, bound_first}),
       .count()

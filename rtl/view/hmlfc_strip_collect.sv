@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 `default_nettype none
 
-// Collects the samples of strips from blocks, four samples a clock, with the least and the greatest of each strip.
+// Collects the samples of strips from blocks, four samples a clock, with the least and the greatest of each
+// quarter of a strip.
 //
 // A block with `in_status` has the samples status - 2^15. After the last block of a strip its first sample is repeated
 // until the strip has 64. A strip comes out whole: sample i in bits 16 * i up.
@@ -21,8 +22,8 @@ module hmlfc_strip_collect #(
     output logic out_valid,
     input logic out_ready,
     output logic [1023:0] out_samples,
-    output logic signed [15:0] out_least,
-    output logic signed [15:0] out_most,
+    output logic [4*16-1:0] out_least,
+    output logic [4*16-1:0] out_most,
     output logic empty
 );
 
@@ -64,8 +65,9 @@ module hmlfc_strip_collect #(
     end
   end
 
-  // ---- Least and greatest of four in two clocks, then of the strip.
-  logic [2:1] valid, begins, finishes;
+  // ---- Least and greatest of four in two clocks, then of the quarter.
+  logic [2:1] valid, finishes;
+  logic [3:0] place_1, place_2;
   logic signed [15:0] low_0, low_1, high_0, high_1, low_2, high_2;
   logic [1023:0] samples;
   logic complete;  // a strip waits to leave
@@ -82,7 +84,7 @@ module hmlfc_strip_collect #(
     high_1 <= s2 < s3 ? s3 : s2;
     low_2 <= low_0 < low_1 ? low_0 : low_1;
     high_2 <= high_0 < high_1 ? high_1 : high_0;
-    begins <= {begins[1], place == 4'd0};
+    {place_2, place_1} <= {place_1, place};
     if (!rst_n) begin
       valid <= '0;
       finishes <= '0;
@@ -93,10 +95,12 @@ module hmlfc_strip_collect #(
       complete <= finishes[2] || stop;
     end
   end
-  logic signed [15:0] least, most;
+  logic [4*16-1:0] least, most;
+  wire begins = place_2[1:0] == 2'd0;
+  wire signed [15:0] least_2 = least[16*place_2[3:2]+:16], most_2 = most[16*place_2[3:2]+:16];
   always_ff @(posedge clk) begin
-    if (valid[2] && (begins[2] || low_2 < least)) least <= low_2;
-    if (valid[2] && (begins[2] || high_2 > most)) most <= high_2;
+    if (valid[2] && (begins || low_2 < least_2)) least[16*place_2[3:2]+:16] <= low_2;
+    if (valid[2] && (begins || high_2 > most_2)) most[16*place_2[3:2]+:16] <= high_2;
     if (complete && leaves) begin
       out_samples <= samples;
       out_least <= least;

@@ -28,7 +28,7 @@ module hmlfc_strip_scan #(
 );
 
   localparam int BLOCKS = 64 >> (2 * BLOCK_LOG2);  // of a strip
-  localparam logic [11:0] STRIP_BYTES = 12'd144;
+  localparam logic [11:0] STRIP_BYTES = 12'd128;
   localparam logic [11:0] COLUMN_BYTES = 12'(16 / BLOCKS) * STRIP_BYTES;
 
   logic [ADDRESS_BITS-1:0] column_address, row_address;

@@ -56,7 +56,7 @@ module hmlfc_strip_writer #(
   // ---- Strips, and their words.
   logic collect_empty, strip_valid, strip_ready, pack_empty;
   logic [1023:0] samples;
-  logic signed [15:0] least, most;
+  logic [4*16-1:0] least, most;
   hmlfc_strip_collect #(.BLOCK_LOG2(BLOCK_LOG2)) collect (
       .clk, .rst_n, .in_valid(take), .in_ready(collect_ready), .in_samples(answer), .in_status(answer_status),
       .in_ends(strip_ends), .out_valid(strip_valid), .out_ready(strip_ready), .out_samples(samples),

@@ -10,9 +10,10 @@ module hmlfc_view_unit #(
     parameter int BLOCK_LOG2 = 2,      // these are those of hmlfc_decode_unit
     parameter int MAX_DEPTH = 8,
     parameter int AXI_DATA_BITS = 128,
-    parameter int OUTSTANDING = 32,
+    parameter int OUTSTANDING = 64,
     parameter int TILE_CONTEXTS = 16,
     parameter int CACHE_STRIPS = 512,
+    parameter int STRIP_READ = 32,
     parameter int TRACE = 1,
     parameter logic [2:0] AXI_PROT = 3'b010,
     parameter logic [3:0] AXI_CACHE = 4'b0011,
@@ -149,7 +150,7 @@ module hmlfc_view_unit #(
   logic unit_active, dma_busy;
   hmlfc_decode_unit #(
       .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .AXI_DATA_BITS(AXI_DATA_BITS), .OUTSTANDING(OUTSTANDING),
-      .TILE_CONTEXTS(TILE_CONTEXTS), .CACHE_STRIPS(CACHE_STRIPS), .TRACE(TRACE),
+      .TILE_CONTEXTS(TILE_CONTEXTS), .CACHE_STRIPS(CACHE_STRIPS), .STRIP_READ(STRIP_READ), .TRACE(TRACE),
       .AXI_PROT(AXI_PROT), .AXI_CACHE(AXI_CACHE), .AXI_QOS(AXI_QOS)
   ) unit (
       .clk, .rst_n(unit_rst_n), .s_request_tvalid(request_tvalid), .s_request_tready(request_tready),

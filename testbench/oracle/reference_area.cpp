@@ -9,13 +9,17 @@
 namespace hmlfc::tb {
 namespace {
 
+constexpr unsigned kQuarters = 4;
+constexpr unsigned kQuarterSamples = kStripSamples / kQuarters;
 constexpr unsigned kWidthBits = 4;
-constexpr unsigned kHeadBits = 20;
-constexpr unsigned kWidestPacked = 14;
+constexpr unsigned kBaseBits = 16;
+constexpr unsigned kHeadBits = kWidthBits + kBaseBits;
 constexpr unsigned kRaw = 15;
-constexpr unsigned kRawBits = 16;
+constexpr unsigned kRawBits = 14;
 
 bool is_poison(int32_t sample) { return sample < poison_of(ErrorCode::kOk) + 32; }
+
+unsigned bits_of_width(unsigned width) { return width == kRaw ? kRawBits : width; }
 
 // Whether blocks of level `l` read reference images: otherwise nothing in them is ever decoded.
 bool is_read(const LevelShape& level) {
@@ -121,19 +125,36 @@ uint32_t strips_in_row(uint32_t width, unsigned block_size) {
 }
 
 std::array<uint8_t, kStripBytes> pack_strip(const StripSamples& samples) {
-  const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
-  const unsigned needed =
-      static_cast<unsigned>(std::bit_width(static_cast<uint32_t>(*most - *least)));
-  const bool raw = needed > kWidestPacked || is_poison(*least);
-  const unsigned bits = raw ? kRawBits : needed;
-  const int32_t base = raw ? 0 : *least;
   std::array<uint8_t, kStripBytes> place{};
-  set_field(place, 0, kWidthBits, raw ? kRaw : needed);
-  set_field(place, kWidthBits, kHeadBits - kWidthBits, static_cast<uint32_t>(base));
-  for (size_t i = 0; i < samples.size(); ++i) {
-    set_field(place, kHeadBits + i * bits, bits, static_cast<uint32_t>(samples[i] - base));
+  uint64_t position = uint64_t{kQuarters} * kHeadBits;
+  for (unsigned q = 0; q < kQuarters; ++q) {
+    const auto quarter = std::span(samples).subspan(size_t{q} * kQuarterSamples, kQuarterSamples);
+    const auto [least, most] = std::minmax_element(quarter.begin(), quarter.end());
+    const bool raw = is_poison(*least);
+    uint32_t errors = 0;
+    for (size_t i = 0; i < quarter.size(); ++i) errors |= uint32_t{is_poison(quarter[i])} << i / 4;
+    const auto needed =
+        static_cast<unsigned>(std::bit_width(static_cast<uint32_t>(*most - *least)));
+    const unsigned width = raw ? kRaw : needed;
+    const int32_t base = raw ? 0 : *least;
+    set_field(place, q * kHeadBits, kWidthBits, width);
+    set_field(place, q * kHeadBits + kWidthBits, kBaseBits,
+              raw ? errors : static_cast<uint32_t>(base));
+    for (const int32_t sample : quarter) {
+      set_field(place, position, bits_of_width(width), static_cast<uint32_t>(sample - base));
+      position += bits_of_width(width);
+    }
   }
   return place;
+}
+
+unsigned strip_bits(std::span<const uint8_t> place) {
+  unsigned bits = kQuarters * kHeadBits;
+  for (unsigned q = 0; q < kQuarters; ++q) {
+    const unsigned at = q * kHeadBits;
+    bits += kQuarterSamples * bits_of_width(static_cast<unsigned>(place[at / 8] >> at % 8) & 15u);
+  }
+  return bits;
 }
 
 AreaLayout area_layout(const Geometry& geometry) {

@@ -16,9 +16,9 @@
 namespace hmlfc::tb {
 
 inline constexpr unsigned kStripSamples = 64;
-inline constexpr unsigned kStripBytes = 144;  ///< of a strip's place
+inline constexpr unsigned kStripBytes = 128;  ///< of a strip's place
 
-/// A block that did not decode, in a strip of raw samples.
+/// The samples of a block that did not decode.
 constexpr int32_t poison_of(ErrorCode error) { return static_cast<int32_t>(error) - (1 << 15); }
 
 /// The samples of one strip: block after block, each row by row. A value below -2^15 + 32 stands
@@ -28,10 +28,14 @@ using StripSamples = std::array<int32_t, kStripSamples>;
 /// Sets the field of `count` bits at `position` of a bit string (CNV-4).
 void set_field(std::span<uint8_t> bytes, uint64_t position, unsigned count, uint64_t value);
 
-/// Packs samples in [-2^15, 2^15 - 1] into a place, with the least width that serves.
+/// Packs samples in [-2^13, 2^13 - 1], and blocks of errors, into a place, each quarter with the
+/// least width that serves.
 ///
-/// Example: 64 samples of 7 take 4 + 16 bits: width 0, base 7.
+/// Example: 64 samples of 7 take four times 4 + 16 bits: width 0, base 7.
 std::array<uint8_t, kStripBytes> pack_strip(const StripSamples& samples);
+
+/// The bits that the fields of a strip take, at most 976.
+unsigned strip_bits(std::span<const uint8_t> place);
 
 /// One plane of one reference image in the area.
 struct AreaPlane {

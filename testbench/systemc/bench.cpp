@@ -71,11 +71,11 @@ void Bench::set_image(const MemoryImage& image) {
   const MemoryImage before = std::exchange(image_, image);
   if (places_) {
     AddressSpace space(places_->next());
-    const auto place_of = [&](std::span<const uint8_t> bytes) {
-      return space.take(std::max<uint64_t>(bytes.size(), 1), 16, AddressSpace::kReadBehind);
+    const auto place_of = [&](std::span<const uint8_t> bytes, uint64_t alignment, uint64_t behind) {
+      return space.take(std::max<uint64_t>(bytes.size(), 1), alignment, behind);
     };
-    image_.stream_base = place_of(image_.stream);
-    image_.reference_base = place_of(image_.reference_area);
+    image_.stream_base = place_of(image_.stream, 16, AddressSpace::kReadBehind);
+    image_.reference_base = place_of(image_.reference_area, kStripBytes, 0);
   } else if (keeps_places_) {
     image_.stream_base = before.stream_base;
     image_.reference_base = before.reference_base;

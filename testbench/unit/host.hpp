@@ -40,7 +40,7 @@ class Host {
   uint64_t stopped_clocks() const { return unit_->stopped_clocks(); }  ///< of the unit
 
  protected:
-  static constexpr uint64_t kAlignment = 16;  ///< of stream, reference area and destinations
+  static constexpr uint64_t kAlignment = 16;  ///< of streams and destinations
 
   /// Holds the unit in reset for a few clocks.
   void reset_unit();

@@ -4,7 +4,7 @@
 # depth and no reads. The first unit that fits a stream decodes it. The tests need a decode unit for each
 # block size, and values of OUTSTANDING that are no power of two; ./run soak adds MAX_DEPTH = 8, for which
 # the tests have the modules of the datapath.
-set(decode_units "2:12:128:32" "1:12:64:5" "3:12:128:24")
+set(decode_units "2:12:128:64" "1:12:64:5" "3:12:128:24")
 set(view_units "2:12:128:32")
 set(dma_units "1:12:64:5" "2:12:128:32" "3:12:64:5")
 if(HMLFC_SOAK)
@@ -18,6 +18,7 @@ if(HMLFC_RTL_UNITS)
 endif()
 # What a decode unit for blocks of 2 keeps is replaced often.
 set(decode_1_parameters -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64)
+set(decode_3_parameters -GSTRIP_READ=64)
 
 # Waves double the time that a unit takes to compile, so that only the first decode unit has them.
 option(HMLFC_RTL_WAVES "The first Verilated unit writes waves of failures" ${HMLFC_SOAK})

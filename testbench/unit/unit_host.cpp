@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bits/crc32c.hpp"
+#include "oracle/reference_area.hpp"
 #include "unit/registers.hpp"
 
 namespace hmlfc::tb {
@@ -18,7 +19,7 @@ UnitHost::UnitHost(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream,
     : Host(std::move(unit), crc32c(stream)),
       stream_bytes_(stream.size()),
       stream_base_(take_place(stream.size(), kAlignment, AddressSpace::kReadBehind)),
-      area_base_(take_place(area.size(), kAlignment, AddressSpace::kReadBehind)) {
+      area_base_(take_place(area.size(), kStripBytes, 0)) {
   std::ranges::copy(stream, memory().content.at(stream_base_).begin());
   std::ranges::copy(area, memory().content.at(area_base_).begin());
   reset_unit();

@@ -69,8 +69,7 @@ void write_strips(Oracle& oracle, const Descriptor& d, unsigned b, SparseBytes& 
       const uint32_t end = std::min(column + kStripColumn, blocks_x);
       for (uint32_t bx = column; bx < end; bx += in_strip) {
         const auto place = pack_strip(strip_of(oracle, d, b, bx, by, status));
-        const unsigned width = place[0] & 15;
-        const unsigned words = ceil_div(20 + kStripSamples * (width == 15 ? 16 : width), 64u);
+        const unsigned words = ceil_div(strip_bits(place), 64u);
         const uint64_t at = uint64_t{by} * d.pitch + uint64_t{bx / in_strip} * kStripBytes;
         std::copy_n(place.begin(), 8 * words, strips.begin() + static_cast<ptrdiff_t>(at));
       }

@@ -30,7 +30,7 @@ ViewHost::ViewHost(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream, 
   if (stream_error_.code != HMLFC_OK) stream_.area_bytes = 0;
   stream_base_ = take_place(stream.size(), kAlignment, AddressSpace::kReadBehind);
   std::ranges::copy(stream, memory().content.at(stream_base_).begin());
-  area_base_ = take_place(stream_.area_bytes, kAlignment, AddressSpace::kReadBehind);
+  area_base_ = take_place(stream_.area_bytes, HMLFC_STRIP_BYTES, 0);
   places_ = space_.size();
   free_bytes_ = memory().content.bytes.size();
   load();

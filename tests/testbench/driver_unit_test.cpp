@@ -136,30 +136,31 @@ TEST(DriverUnit, LoadsAStream) {
   ASSERT_EQ(unit.open(), HMLFC_OK);
   hmlfc_stream stream{};
   stream.bytes = 1001;
-  stream.area_bytes = 288;
+  stream.area_bytes = 256;
   const uint64_t top = uint64_t{1} << 40;
   const auto load = [&](uint64_t stream_bus, uint64_t area_bus, size_t area_bytes) {
     const hmlfc_buffer area{nullptr, area_bus, area_bytes};
     return hmlfc_unit_load(&unit.unit, &stream, stream_bus, &area);
   };
-  EXPECT_EQ(load(0xab'0000'0010, 0x40, 288), HMLFC_OK);
+  EXPECT_EQ(load(0xab'0000'0010, 0x80, 256), HMLFC_OK);
   EXPECT_EQ(unit.pair(HMLFC_REG_STREAM_BASE), 0xab'0000'0010u);
   EXPECT_EQ(unit.pair(HMLFC_REG_STREAM_BYTES), 1001u);
-  EXPECT_EQ(unit.pair(HMLFC_REG_REFERENCE_BASE), 0x40u);
+  EXPECT_EQ(unit.pair(HMLFC_REG_REFERENCE_BASE), 0x80u);
   EXPECT_EQ(unit.registers[HMLFC_REG_CONTROL], HMLFC_REG_CONTROL_LOAD_MASK);
-  EXPECT_EQ(unit.cleaned - HMLFC_RINGS_BYTES(4), 1289u);
-  EXPECT_EQ(load(8, 0x40, 288), HMLFC_BAD_ARGUMENT);
-  EXPECT_EQ(load(0, 0x48, 288), HMLFC_BAD_ARGUMENT);
-  EXPECT_EQ(load(0, 0x40, 287), HMLFC_BAD_ARGUMENT);
-  EXPECT_EQ(load(0, 0x40, 304), HMLFC_OK);
-  EXPECT_EQ(load(0, top - 320, 289), HMLFC_OK);
-  EXPECT_EQ(load(0, top - 320, 290), HMLFC_BAD_ARGUMENT);
-  EXPECT_EQ(load(0, top - 288 - 16, 288), HMLFC_BAD_ARGUMENT);
-  EXPECT_EQ(load(top, 0x40, 288), HMLFC_BAD_ARGUMENT);
+  EXPECT_EQ(unit.cleaned - HMLFC_RINGS_BYTES(4), 1257u);
+  EXPECT_EQ(load(8, 0x80, 256), HMLFC_BAD_ARGUMENT);
+  EXPECT_EQ(load(0, 0x40, 256), HMLFC_BAD_ARGUMENT);
+  EXPECT_EQ(load(0, 0x80, 255), HMLFC_BAD_ARGUMENT);
+  EXPECT_EQ(load(0, 0x80, 304), HMLFC_OK);
+  EXPECT_EQ(load(0, top - 384, 384), HMLFC_OK);
+  EXPECT_EQ(load(0, top - 384, 385), HMLFC_BAD_ARGUMENT);
+  EXPECT_EQ(load(top - 1040, 0x80, 256), HMLFC_OK);
+  EXPECT_EQ(load(top - 1024, 0x80, 256), HMLFC_BAD_ARGUMENT);
+  EXPECT_EQ(load(top, 0x80, 256), HMLFC_BAD_ARGUMENT);
   unit.registers[HMLFC_REG_STATUS] = 24u << HMLFC_REG_STATUS_LOAD_ERROR_SHIFT;
-  EXPECT_EQ(load(0, 0x40, 288), HMLFC_LIMIT_EXCEEDED);
+  EXPECT_EQ(load(0, 0x80, 256), HMLFC_LIMIT_EXCEEDED);
   unit.registers[HMLFC_REG_STATUS] = HMLFC_REG_STATUS_LOADING_MASK;
-  EXPECT_EQ(load(0, 0x40, 288), HMLFC_TIMEOUT);
+  EXPECT_EQ(load(0, 0x80, 256), HMLFC_TIMEOUT);
 }
 
 TEST(DriverUnit, OpensAUnitThatIsAtWork) {
