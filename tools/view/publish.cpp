@@ -71,7 +71,7 @@ fs::path browser_folder() {
       "clang-16 lld-16 libc++-16-dev-wasm32 libclang-rt-16-dev-wasm32 (Debian), and build it anew");
 }
 
-std::string escaped(std::string_view text) {
+std::string html_of(std::string_view text) {
   std::string html;
   for (const char c : text) {
     const std::string_view specials = "&<>\"";
@@ -223,9 +223,9 @@ class Publication {
     const WorldPoint& at = *camera_.position;
     write_text(options_.output / "index.html",
                filled(view::find_asset("player.html")->content,
-                      {{"title", escaped(options_.title.empty() ? name : options_.title)},
-                       {"text", escaped(options_.text)},
-                       {"address", escaped(address)},
+                      {{"title", html_of(options_.title.empty() ? name : options_.title)},
+                       {"text", html_of(options_.text)},
+                       {"address", html_of(address)},
                        {"width", std::to_string(still_size_[0])},
                        {"height", std::to_string(still_size_[1])},
                        {"camera", fmt::format("{},{},{}", at.u, at.v, at.z)},
