@@ -33,6 +33,7 @@ module hmlfc_strip_pack (
   logic [1023:0] samples;
   logic [63:0] least, most;
   logic [79:0] heads;
+  logic [5:0] widths;  // their sum: a strip has 80 bits and 16 for each
   logic [3:0] quartet;
   logic [1:0] quarter;  // whose width is found
   wire [13:0] span = most[13:0] - least[13:0];
@@ -49,10 +50,11 @@ module hmlfc_strip_pack (
   always_ff @(posedge clk) begin
     if (in_valid && in_ready) begin
       {samples, least, most} <= {in_samples, in_least, in_most};
-      {quartet, quarter} <= '0;
+      {quartet, quarter, widths} <= '0;
     end
     if (state == WIDTHS) begin
       heads <= {poisoned ? {12'd0, errors} : least[15:0], poisoned ? 4'd15 : needed, heads[79:20]};
+      widths <= widths + (poisoned ? 6'd14 : {2'd0, needed});
       least <= least >> 16;
       most <= most >> 16;
       quarter <= quarter + 2'd1;
@@ -84,6 +86,7 @@ module hmlfc_strip_pack (
   logic [63:0] four;
   logic [3:0] bits_1, bits_2, bits_3;
   logic [79:0] head;
+  logic [4:0] total;  // words of the strip
   wire [15:0] kept = {{2{!raw}}, 14'h3FFF};
   always_ff @(posedge clk) begin
     if (shift) begin
@@ -97,28 +100,28 @@ module hmlfc_strip_pack (
       four <= 64'(pair_0) | 64'(pair_1) << {bits_2, 1'b0};
       begins <= {begins[2:1], state == HEAD};
       ends <= {ends[2:1], last};
-      if (state == HEAD) head <= heads;
+      if (state == HEAD) {head, total} <= {heads, 5'((7'(widths) + 7'd8) >> 2)};
     end
     if (!rst_n) valid <= '0;
     else if (shift) valid <= {valid[2:1], state == HEAD || state == SAMPLES};
   end
 
-  // ---- The words. After the last samples what is left is a word of its own.
+  // ---- The words. After the last samples what is left is a word of its own; where nothing is, because samples of no
+  // bits end the strip, the word before was the last.
   logic [127:0] gathered;
   logic [6:0] fill;  // bits in `gathered`
   wire [127:0] after = begins[3] ? 128'(head) : gathered | 128'(four) << fill[5:0];
   wire [7:0] after_fill = begins[3] ? 8'd80 : {1'b0, fill} + {2'd0, bits_3, 2'b00};
   wire whole = after_fill >= 8'd64;
   wire take = valid[3] && shift;
+  wire emits = rest || (valid[3] && (whole || (ends[3] && after_fill != 8'd0)));
+  logic [4:0] words;  // that come after the one in out_word
+  wire [4:0] words_now = !rest && begins[3] ? total : words;
   always_ff @(posedge clk) begin
     if (advance) begin
-      if (rest) begin
-        out_word <= gathered[63:0];
-        out_last <= 1'b1;
-      end else begin
-        out_word <= after[63:0];
-        out_last <= ends[3] && (!whole || after_fill == 8'd64);
-      end
+      out_word <= rest ? gathered[63:0] : after[63:0];
+      out_last <= words_now == 5'd1;
+      if (emits) words <= words_now - 5'd1;
     end
     if (take) begin
       gathered <= whole ? after >> 64 : after;
@@ -128,7 +131,7 @@ module hmlfc_strip_pack (
       out_valid <= 1'b0;
       rest <= 1'b0;
     end else if (advance) begin
-      out_valid <= rest || (valid[3] && (whole || ends[3]));
+      out_valid <= emits;
       rest <= !rest && valid[3] && ends[3] && whole && after_fill != 8'd64;
     end
   end

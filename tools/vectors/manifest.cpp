@@ -206,7 +206,9 @@ io::IoResult<Manifest> read_manifest(const std::filesystem::path& folder) {
   const auto file = folder / "manifest.json";
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
-    return io::file_error(folder, "no conformance suite is here; --suite names its folder");
+    return io::file_error(
+        folder,
+        "no conformance suite is here, for want of manifest.json; --suite names its folder");
   }
   try {
     return manifest_from(read_json(file));
