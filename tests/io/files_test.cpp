@@ -126,6 +126,9 @@ TEST(AtomicFile, WritesThroughALink) {
   ASSERT_TRUE(write_file(folder / "link.bin", to_bytes("new")).has_value());
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.bin"));
   EXPECT_EQ(get_file(folder / "real.bin"), to_bytes("new"));
+  std::filesystem::create_symlink("absent.bin", folder / "dangling.bin");
+  EXPECT_FALSE(write_file(folder / "dangling.bin", to_bytes("new")).has_value());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "dangling.bin"));
 }
 
 TEST(MappedFile, ShowsAllBytes) {

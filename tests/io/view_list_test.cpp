@@ -168,7 +168,8 @@ TEST(ViewList, NamesWithMoreNumbers) {
        {"1 and 2 (2x2) or 1 and 3 (2x2)", "--names '{row}_{col}_*' or '{row}_*_{col}'"}},
       {formatted("f0_%u_%u.png", 2, 2) + formatted("f1_%u_%u.png", 2, 2),
        {},
-       {"number 1 has 2 values (0 to 1)", "number 3 has 2", "--names 'f0_{row}_{col}'"}},
+       {"number 1 has 2 values (0 to 1)", "number 3 has 2",
+        "--names 'f{row}_{col}_0' or 'f0_{row}_{col}'"}},
       {formatted("f0_%u_%u.png", 2, 2) + formatted("f1_%u_%u.png", 2, 2),
        names("f1_{row}_{col}"),
        {"2x2: f1_0_0.png",
@@ -181,6 +182,7 @@ TEST(ViewList, PatternsOfNames) {
   const Strings both = formatted("%u_%u.png", 2, 2) + formatted("%u_%u.jpg", 2, 2);
   expect_lists({
       {pleno, names("{col}_{row}"), {"2x2: 000_000.ppm 001_000.ppm 000_001.ppm 001_001.ppm"}},
+      {pleno, {}, {"2x2: 000_000.ppm 000_001.ppm", "COLUMN_ROW", "--names '{col}_{row}'"}},
       {{"a7b1.png", "a3b2.png"},
        {.grid = GridShape{1, 2}, .pattern = "b{index}"},
        {"1x2: a7b1.png a3b2.png", " | : 1x2 views in the order of number 1 of the names (1 to 2)"}},
@@ -198,8 +200,10 @@ TEST(ViewList, PatternsOfNames) {
       {pleno,
        {.pattern = "v{row}_{col}", .pattern_is_for_others = true},
        {"2x2: 000_000.ppm 000_001"}},
-      {pleno, names("{row}_{row}"), {"a field twice"}},
-      {pleno, names("{row}_{index}"), {"{index} and {row}"}},
+      {pleno, names("{row}_{row}"), {"it has {row} twice"}},
+      {pleno, names("{row}_{index}"), {"it has {index}, and {row} or {col}"}},
+      {pleno, names("{row}_{colum}"), {"{colum} is no field; there are {row}, {col}"}},
+      {pleno, names("{row}"), {"the same row and column in 000_000.ppm and 000_001.ppm"}},
   });
 }
 
@@ -306,6 +310,7 @@ TEST(ViewList, SequencesOfPictures) {
 
 TEST(ViewList, WhatIsNoFolderOfViews) {
   expect_lists({{{}, {}, {"no PNG, JPEG, TIFF, WebP, PPM or PGM"}},
+                {{"b.gif", "a.bmp"}, {}, {"or PGM picture; a.bmp is of a kind that is not read"}},
                 {{"0_0.png"}, shaped(0, 1), {"1 to 4096"}},
                 {{"0_0.png"}, shaped(1, 4097), {"1 to 4096"}}});
   const test::TempFolder folder;

@@ -276,6 +276,14 @@ class LightFieldTest(CliTest):
                 use("nowhere.hmlfc")
             self.assertEqual(raised.exception.errno, 2)
 
+    def test_a_file_that_becomes_shorter(self):
+        path = self.folder / "shorter.hmlfc"
+        path.write_bytes(STREAM.read_bytes())
+        lf = hmlfc.open(path, check_sections=False)
+        os.truncate(path, 400)
+        with self.assertRaisesRegex(OSError, "shorter.hmlfc: became shorter while it was read"):
+            np.asarray(lf)
+
     def test_threads(self):
         found = {}
 

@@ -93,8 +93,10 @@ void add_naming(CLI::App& app, io::ViewNaming& target) {
               target.grid = io::GridShape{r, c};
             });
   const auto names = [&target](const std::string& text) {
+    const auto pattern = io::NamePattern::parse(text);
+    if (!pattern) throw CLI::ValidationError("--names", "'" + text + "': " + pattern.error());
     target.pattern = text;
-    return !text.empty() && io::NamePattern::parse(text).has_value();
+    return !text.empty();
   };
   add_value(app, "--names", "PATTERN", "Where names say row and column, such as '{row}_{col}'",
             "a pattern of names with {row} and {col}, or {index}, each once, and * for the rest",

@@ -7,6 +7,7 @@
 
 #include "cli/convert_forms.hpp"
 #include "cli/view_source.hpp"
+#include "io/files.hpp"
 
 namespace hmlfc::cli {
 namespace {
@@ -88,6 +89,13 @@ io::ViewList listed_views(const EncodeOptions& options) {
     throw Failure(ExitCode::kUsage, fmt::format("{}: --views, --memory and --plan need a folder of "
                                                 "views; hmlfc convert makes one",
                                                 options.input.string()));
+  }
+  std::error_code ignored;
+  if (io::lower_case_extension(options.input) == ".json" &&
+      std::filesystem::is_regular_file(options.input, ignored)) {
+    throw Failure(ExitCode::kUsage,
+                  options.input.string() +
+                      ": not a folder of views; a plan is encoded by --shard I/N and --assemble");
   }
   auto views = views_in(options.input, options.naming);
   if (!options.part) return views;

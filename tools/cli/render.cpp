@@ -67,7 +67,8 @@ class RenderRun {
   ExitCode frames() {
     prepare_output();
     for (size_t k = 0; k < cameras_.size() && !arguments_.preview.empty(); ++k) {
-      if (frame_path(k).lexically_normal() == arguments_.preview.lexically_normal()) {
+      if (std::filesystem::weakly_canonical(frame_path(k)) ==
+          std::filesystem::weakly_canonical(arguments_.preview)) {
         throw Failure(ExitCode::kUsage,
                       arguments_.preview.string() + ": --preview and a frame have one name");
       }

@@ -80,6 +80,10 @@ void check_in_grid(ViewPos view, uint32_t rows, uint32_t cols) {
 }  // namespace
 
 std::shared_ptr<const remote::OpenSource> open_source(const std::filesystem::path& path) {
+  if (path == "-") {
+    throw Failure(ExitCode::kUsage,
+                  "-: a stream is read here and there, standard input is not; name a file");
+  }
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     throw Failure(

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstddef>
 #include <random>
@@ -18,14 +17,10 @@ namespace hmlfc::io {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return text;
 }
-
-}  // namespace
 
 std::string lower_case_extension(const fs::path& file) {
   return lower_case(file.extension().string());
@@ -59,7 +54,10 @@ IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
     return file_error(target, "exists and is not a regular file; choose another output name");
   }
   fs::path resolved = target;
-  if (fs::exists(status) && fs::is_symlink(fs::symlink_status(target, failure))) {
+  if (fs::is_symlink(fs::symlink_status(target, failure))) {
+    if (!fs::exists(status)) {
+      return file_error(target, "a link to a file that is not there; choose another output name");
+    }
     resolved = fs::canonical(target, failure);
     if (failure) return system_error(target, "cannot follow the link", failure.value());
   }

@@ -16,6 +16,9 @@
 
 namespace hmlfc::io {
 
+/// ASCII letters in lower case.
+std::string lower_case(std::string text);
+
 /// ".png" of "a/B.PNG".
 std::string lower_case_extension(const std::filesystem::path& file);
 

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <utility>
 
+#include "io/files.hpp"
+
 namespace hmlfc::io {
 namespace {
 
@@ -67,12 +69,11 @@ std::string form_of(std::string_view name, const std::vector<NameNumber>& number
     at = number.end;
   }
   form += name.substr(at);
-  for (char& c : form) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   while (!form.empty() && !is_letter(form.back()) && form.back() != '#') form.pop_back();
-  return form;
+  return lower_case(std::move(form));
 }
 
-std::optional<NamePattern> NamePattern::parse(std::string_view text) {
+tl::expected<NamePattern, std::string> NamePattern::parse(std::string_view text) {
   constexpr std::array<std::string_view, kFields> kNames{"{row}", "{col}", "{index}"};
   NamePattern pattern;
   pattern.segments_.emplace_back();
@@ -85,17 +86,25 @@ std::optional<NamePattern> NamePattern::parse(std::string_view text) {
     size_t field = 0;
     while (field < kFields && !text.starts_with(kNames[field])) ++field;
     if (field < kFields) {
-      if (std::exchange(pattern.has_field_[field], true)) return std::nullopt;
+      if (std::exchange(pattern.has_field_[field], true)) {
+        return tl::unexpected("it has " + std::string(kNames[field]) + " twice");
+      }
       piece.field = static_cast<Field>(field);
       pattern.segments_.back().push_back(std::exchange(piece, {}));
       text.remove_prefix(kNames[field].size());
       continue;
     }
+    if (const size_t close = text.find('}'); text.front() == '{' && close != text.npos) {
+      return tl::unexpected(std::string(text.substr(0, close + 1)) +
+                            " is no field; there are {row}, {col} and {index}");
+    }
     text.front() == '*' ? end_segment() : piece.text.push_back(text.front());
     text.remove_prefix(1);
   }
   pattern.segments_.back().push_back(piece);
-  if (pattern.has_index() && pattern.has_position()) return std::nullopt;
+  if (pattern.has_index() && pattern.has_position()) {
+    return tl::unexpected("it has {index}, and {row} or {col} too");
+  }
   return pattern;
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 namespace hmlfc::io {
 
 /// One number of a name.
@@ -30,8 +32,9 @@ std::string form_of(std::string_view name, const std::vector<NameNumber>& number
 /// itself.
 class NamePattern {
  public:
-  /// Nothing where a field is there twice, or {index} together with {row} or {col}.
-  static std::optional<NamePattern> parse(std::string_view text);
+  /// Fails, with the reason, where a field is there twice, {index} stands together with {row} or
+  /// {col}, and where something else is in braces.
+  static tl::expected<NamePattern, std::string> parse(std::string_view text);
 
   bool has_position() const { return has_field_[kRow] || has_field_[kCol]; }
   bool has_index() const { return has_field_[kIndex]; }

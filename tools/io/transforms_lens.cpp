@@ -1,7 +1,6 @@
 #include "io/transforms_lens.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <ranges>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "io/files.hpp"
 #include "io/json_text.hpp"
 
 namespace hmlfc::io {
@@ -53,11 +53,6 @@ constexpr auto kLensMembers = std::to_array<LensMembers>({
 constexpr auto kPinholes =
     std::to_array<std::string_view>({"pinhole", "simple_pinhole", "perspective", "persp", "opencv",
                                      "full_opencv", "radial", "simple_radial"});
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 LensMeaning meaning_of(const std::string& name) {
   const std::string lower = lower_case(name);

@@ -60,6 +60,23 @@ IoResult<ViewList> views_of(const fs::path& folder, const ViewNaming& naming) {
   return read_names(folder, naming, std::move(pictures));
 }
 
+// "; a.bmp is of a kind that is not read; ...": the first picture of another kind in `folder`.
+std::string other_pictures(const fs::path& folder) {
+  constexpr std::array<std::string_view, 14> kExtensions = {
+      ".arw", ".avif", ".bmp", ".cr2", ".dng", ".exr", ".gif",
+      ".hdr", ".heic", ".jp2", ".jxl", ".lfp", ".lfr", ".tga"};
+  std::string first;
+  std::error_code failure;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
+       it.increment(failure)) {
+    const std::string name = it->path().filename().string();
+    const bool is_other =
+        std::ranges::find(kExtensions, lower_case_extension(name)) != kExtensions.end();
+    if (is_other && (first.empty() || name < first)) first = name;
+  }
+  return first.empty() ? "" : "; " + first + " is of a kind that is not read; convert it to PNG";
+}
+
 // "; scene/views holds 3x3 views": the first folder below `folder`, else the one above, that may be
 // meant instead; empty where none is.
 std::string elsewhere(const fs::path& folder, const ViewNaming& naming) {
@@ -124,7 +141,8 @@ IoResult<ViewList> list_views(const fs::path& folder, const ViewNaming& naming) 
     return file_error(folder, "not a folder; give the folder that holds the views");
   }
   auto list = views_of(folder, naming);
-  if (!list) list.error().message += elsewhere(folder, naming);
+  if (list) return list;
+  list.error().message += other_pictures(folder) + elsewhere(folder, naming);
   return list;
 }
 

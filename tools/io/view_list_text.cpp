@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "io/files.hpp"
+
 namespace hmlfc::io {
 namespace {
 
@@ -61,6 +63,12 @@ std::string pattern_of(const NamedPicture& picture, const GridReading& reading,
 
 std::string numbers_of_reading(const GridReading& reading) {
   return fmt::format("{} and {}", reading.row->number + 1, reading.col->number + 1);
+}
+
+// Whether the picture is named like those of JPEG Pleno, 000_000.ppm.
+bool is_pleno_name(const NamedPicture& picture) {
+  return picture.name.size() == 7 && picture.name[3] == '_' && picture.numbers.size() == 2 &&
+         lower_case_extension(picture.file) == ".ppm";
 }
 
 int64_t value_at(const NumberColumn& column, size_t place, bool gaps) {
@@ -137,7 +145,11 @@ std::string describe_reading(const std::vector<NamedPicture>& views, const GridR
     return column.values.front() == 0 && column.is_regular() && column.step() == 1;
   };
   const bool plain = counts_from_0(*reading.row) && counts_from_0(*reading.col);
-  if (plain && !turned && views.front().numbers.size() == 2) return "";
+  if (plain && !turned && views.front().numbers.size() == 2) {
+    if (!is_pleno_name(views.front())) return "";
+    return "names are read as ROW_COLUMN; where they are COLUMN_ROW, as those of JPEG Pleno, say "
+           "--names '{col}_{row}'";
+  }
   std::string text = fmt::format("{}x{} views from numbers {} of the names", reading.rows(),
                                  reading.cols(), numbers_of_reading(reading));
   if (turned) text += " (row and column)";
@@ -187,9 +199,12 @@ std::string describe_no_grid(const std::vector<NamedPicture>& views,
     if (side * side == views.size()) text += fmt::format(", such as --grid {0}x{0}", side);
     return text + " for a sequence, with --order unless it goes row by row";
   }
+  const std::vector<bool> fixed(example.numbers.size());
+  const GridReading first{columns.data(), &columns[1]};
   const GridReading last{&columns[columns.size() - 2], &columns.back()};
-  return text + " for their sorted order, or choose by --names, such as --names " +
-         pattern_of(example, last, std::vector<bool>(example.numbers.size()));
+  text += " for their sorted order, or choose by --names, such as --names " +
+          pattern_of(example, first, fixed);
+  return columns.size() == 2 ? text : text + " or " + pattern_of(example, last, fixed);
 }
 
 std::string name_with(const std::vector<NamedPicture>& views,

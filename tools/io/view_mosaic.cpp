@@ -1,10 +1,10 @@
 #include "io/view_mosaic.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 #include <string>
 
+#include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "io/view_name.hpp"
 
@@ -55,8 +55,7 @@ GridShape Mosaic::grid() const {
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& file) {
   static const std::regex form(
       R"(_qs(\d{1,4})x(\d{1,4})(?:a(\d{1,5}(?:\.\d{0,16})?))?(?![^ _(-]))");
-  std::string stem = file.stem().string();
-  for (char& c : stem) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string stem = lower_case(file.stem().string());
   const size_t at = stem.rfind("_qs");
   std::smatch parts;
   if (at == stem.npos || !std::regex_search(stem.cbegin() + static_cast<ptrdiff_t>(at), stem.cend(),

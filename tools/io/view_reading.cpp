@@ -58,7 +58,7 @@ class Reading {
       return file_error(folder_, "no PNG, JPEG, TIFF, WebP, PPM or PGM picture");
     }
     const auto pattern = NamePattern::parse(naming_.pattern);
-    if (!pattern) return refuse("--names has a field twice, or {index} and {row} or {col}");
+    if (!pattern) return refuse("--names '" + naming_.pattern + "': " + pattern.error());
     if (!naming_.pattern.empty() && !keep_matches(*pattern)) {
       return refuse("no name is as --names '" + naming_.pattern + "' says; one is " +
                     shown_name(all_.pictures.front()));
@@ -153,7 +153,10 @@ class Reading {
     std::map<size_t, const NamedPicture*> places;
     for (size_t i = 0; i < all_.pictures.size(); ++i) {
       const auto [there, is_new] = places.emplace(reading.place(i), &all_.pictures[i]);
-      if (!is_new) return twice(*there->second, all_.pictures[i]);
+      if (is_new) continue;
+      return refuse("--names '" + naming_.pattern + "' reads the same row and column in " +
+                    shown_name(*there->second) + " and " + shown_name(all_.pictures[i]) +
+                    "; the two are {row} and {col}, and one that is left out is 0");
     }
     return missing(all_, reading);
   }

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <span>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "io/files.hpp"
 
 namespace hmlfc::io {
 namespace {
@@ -78,8 +79,7 @@ tl::unexpected<std::string> wrong(std::string_view word, std::string_view what) 
 
 // Reads the value of a word C or XYSCSS, which names planes and bits.
 bool take_colour_space(std::string_view value, Y4mHeader& header) {
-  std::string name(value);
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string name = lower_case(std::string(value));
   const auto* const space = std::ranges::find_if(
       kColourSpaces, [&](const ColourSpace& each) { return name.starts_with(each.name); });
   if (space == kColourSpaces.end()) return false;

@@ -1,6 +1,7 @@
 // Errors as Python exceptions.
 #pragma once
 
+#include <regex>
 #include <string>
 #include <utility>
 
@@ -12,10 +13,19 @@
 
 namespace hmlfc::python {
 
-/// A message as Python has it, whatever bytes the file names in it have.
+/// A message as Python has it, whatever bytes the file names in it have: what it says of options of
+/// the program, such as --grid 3x4, it says of arguments, grid=(3, 4).
 inline pybind11::str message_of(const std::string& text) {
+  static const std::pair<std::regex, const char*> kArguments[] = {
+      {std::regex(R"(--grid (\w{1,9})x(\w{1,9}))"), "grid=($1, $2)"},
+      {std::regex("--(names|order) '"), "$1='"},
+      {std::regex("--(names|grid|order)"), "$1"},
+      {std::regex("--no-rig"), "rig=False"},
+  };
+  std::string said = text;
+  for (const auto& [option, argument] : kArguments) said = regex_replace(said, option, argument);
   return pybind11::reinterpret_steal<pybind11::str>(
-      PyUnicode_DecodeFSDefaultAndSize(text.data(), static_cast<Py_ssize_t>(text.size())));
+      PyUnicode_DecodeFSDefaultAndSize(said.data(), static_cast<Py_ssize_t>(said.size())));
 }
 
 /// Raises hmlfc.Error for `error`; needs the GIL.

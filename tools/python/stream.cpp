@@ -8,6 +8,7 @@
 
 #include <hmlfc/disparity.hpp>
 
+#include "io/file_source.hpp"
 #include "io/parallel.hpp"
 #include "io/stream_report.hpp"
 #include "io/stream_rig.hpp"
@@ -21,8 +22,8 @@ namespace py = pybind11;
 namespace hmlfc::python {
 
 Stream::Stream(std::optional<py::buffer_info> buffer, std::unique_ptr<ByteSource> source,
-               bool check_sections)
-    : buffer_(std::move(buffer)), source_(std::move(source)) {
+               bool is_remote, bool check_sections)
+    : buffer_(std::move(buffer)), source_(std::move(source)), is_remote_(is_remote) {
   OpenOptions options;
   options.check_sections = check_sections;
   auto opened = [&] {
@@ -39,12 +40,15 @@ void Stream::raise_failure() const {
 }
 
 std::unique_ptr<Stream> Stream::from_file(const std::string& path, bool check_sections) {
-  auto opened = value_or_raise([&] {
+  using Source = std::unique_ptr<ByteSource>;
+  const bool is_remote = remote::is_address(path);
+  auto source = value_or_raise([&]() -> io::IoResult<Source> {
     const py::gil_scoped_release unlocked;
-    return remote::open_source(path);
+    if (is_remote) return remote::HttpSource::open(path).map([](auto s) -> Source { return s; });
+    return io::FileSource::open(path).map([](auto s) -> Source { return s; });
   }());
-  const bool check = check_sections && opened.http == nullptr;
-  return std::unique_ptr<Stream>(new Stream(std::nullopt, std::move(opened.bytes), check));
+  return std::unique_ptr<Stream>(
+      new Stream(std::nullopt, std::move(source), is_remote, check_sections && !is_remote));
 }
 
 std::unique_ptr<Stream> Stream::from_buffer(const py::buffer& buffer, bool check_sections) {
@@ -55,7 +59,7 @@ std::unique_ptr<Stream> Stream::from_buffer(const py::buffer& buffer, bool check
   const std::span<const uint8_t> bytes(static_cast<const uint8_t*>(info.ptr),
                                        static_cast<size_t>(info.size));
   return std::unique_ptr<Stream>(
-      new Stream(std::move(info), std::make_unique<MemorySource>(bytes), check_sections));
+      new Stream(std::move(info), std::make_unique<MemorySource>(bytes), false, check_sections));
 }
 
 namespace {

@@ -35,14 +35,14 @@ struct Part {
 /// decode; several threads may call them, and frames are rendered one after another.
 class Stream {
  public:
-  /// The stream in a file, mapped, at an http:// address, of which sections are never checked, or
+  /// The stream in a file, at an http:// address, of which sections are never checked, or
   /// in an object with contiguous bytes, which is kept and must not change. Raises OSError,
   /// TypeError, hmlfc.Error.
   static std::unique_ptr<Stream> from_file(const std::string& path, bool check_sections);
   static std::unique_ptr<Stream> from_buffer(const pybind11::buffer& buffer, bool check_sections);
 
   const StreamHeader& header() const { return decoder_->header(); }
-  bool is_remote() const { return source_->is_partial(); }
+  bool is_remote() const { return is_remote_; }
 
   /// The pixels of `part`: (rows, cols, ys, xs, 3), uint8 at depth 8, else uint16. Views are
   /// decoded on all cores; Ctrl-C ends that of several.
@@ -68,7 +68,7 @@ class Stream {
 
  private:
   Stream(std::optional<pybind11::buffer_info> buffer, std::unique_ptr<ByteSource> source,
-         bool check_sections);
+         bool is_remote, bool check_sections);
 
   // The value of `result`; raises its error, or OSError where the file could not be read.
   template <class T>
@@ -80,6 +80,7 @@ class Stream {
 
   std::optional<pybind11::buffer_info> buffer_;  // of a stream in memory
   std::unique_ptr<ByteSource> source_;
+  bool is_remote_ = false;
   std::optional<Decoder> decoder_;
   std::mutex rendering_;
   std::unique_ptr<FrameRenderer> renderer_;

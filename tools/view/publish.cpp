@@ -68,7 +68,8 @@ fs::path browser_folder() {
   throw Failure(
       ExitCode::kUsage,
       "this build of hmlfc cannot publish, because no compiler for WebAssembly was there: install "
-      "clang-16 lld-16 libc++-16-dev-wasm32 libclang-rt-16-dev-wasm32 (Debian), and build it anew");
+      "clang, lld, libc++-dev-wasm32 and libclang-rt-dev-wasm32 of version 16 or 19 (Debian), and "
+      "build it anew");
 }
 
 std::string html_of(std::string_view text) {

@@ -49,13 +49,13 @@ class Rig(NamedTuple):
 
 
 def open(source: Union[str, os.PathLike, bytes, bytearray, memoryview], *, check_sections: bool = True) -> LightField:
-    """The light field in a file, which is mapped, at an http:// address, or in memory.
+    """The light field in a file, at an http:// address, or in memory.
 
     source: a path, an address, or the bytes of a stream, which must not change while the light field is in use; of a
         path in bytes os.fsdecode() makes one
     check_sections: check the CRC of every section, which reads the whole file (FIL-6); not at an address
 
-    Raises OSError where the file cannot be read, also later at an address, Error where it is no stream (FIL-8).
+    Raises OSError where the file cannot be read, also later, Error where it is no stream (FIL-8).
     """
     return LightField(source, check_sections)
 
