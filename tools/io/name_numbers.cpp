@@ -103,7 +103,7 @@ tl::expected<NamePattern, std::string> NamePattern::parse(std::string_view text)
   }
   pattern.segments_.back().push_back(piece);
   if (pattern.has_index() && pattern.has_position()) {
-    return tl::unexpected("it has {index}, and {row} or {col} too");
+    return tl::unexpected(std::string("it has {index}, and {row} or {col} too"));
   }
   return pattern;
 }
