@@ -182,7 +182,9 @@ TEST(ViewList, PatternsOfNames) {
   const Strings both = formatted("%u_%u.png", 2, 2) + formatted("%u_%u.jpg", 2, 2);
   expect_lists({
       {pleno, names("{col}_{row}"), {"2x2: 000_000.ppm 001_000.ppm 000_001.ppm 001_001.ppm"}},
-      {pleno, {}, {"2x2: 000_000.ppm 000_001.ppm", "COLUMN_ROW", "--names '{col}_{row}'"}},
+      {pleno,
+       {},
+       {"2x2: 000_000.ppm 000_001.ppm", " | : names are read as ROW_COLUMN", "'{col}_{row}'"}},
       {{"a7b1.png", "a3b2.png"},
        {.grid = GridShape{1, 2}, .pattern = "b{index}"},
        {"1x2: a7b1.png a3b2.png", " | : 1x2 views in the order of number 1 of the names (1 to 2)"}},
@@ -199,7 +201,7 @@ TEST(ViewList, PatternsOfNames) {
        {"no name is as --names 'v{row}_{col}' says; one is 000_000.ppm"}},
       {pleno,
        {.pattern = "v{row}_{col}", .pattern_is_for_others = true},
-       {"2x2: 000_000.ppm 000_001"}},
+       {"2x2: 000_000.ppm 000_001", " | : names are read as ROW_COLUMN"}},
       {pleno, names("{row}_{row}"), {"it has {row} twice"}},
       {pleno, names("{row}_{index}"), {"it has {index}, and {row} or {col}"}},
       {pleno, names("{row}_{colum}"), {"{colum} is no field; there are {row}, {col}"}},
