@@ -42,8 +42,8 @@ tl::unexpected<CameraError> bad(Input input, const std::string& message) {
 
 std::string text(double value) {
   std::array<char, 32> digits;
-  const auto [end, error] = std::to_chars(digits.begin(), digits.end(), value);
-  return {digits.begin(), end};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return {digits.data(), end};
 }
 
 // lo <= value <= hi; false for NaN.

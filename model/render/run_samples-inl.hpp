@@ -275,7 +275,7 @@ void write_samples(const RayRun& run, const RunTaps& taps, const RunViews& views
   const SampleWriter write;
   const AxisRun& cols = taps.cols;
   const AxisRun& rows = taps.rows;
-  for (int32_t i = run.begin; i < run.end; i += kVectorPixels) {
+  for (int32_t i = run.begin; i < run.end; i += int32_t{kVectorPixels}) {
     SumVector sum = hn::Set(Sums(), 1u << 19);
     const uint8_t* const* const* view_rows = views.rows.data();
     for (int32_t row = 0; row < rows.views; ++row) {

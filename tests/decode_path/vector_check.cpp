@@ -37,8 +37,9 @@ std::vector<BlockAddress> traced_blocks(const std::filesystem::path& file) {
   for (std::string line; std::getline(lines, line);) {
     const Json json = Json::parse(line);
     if (json.at("record") != "block") continue;
+    const auto name = json.at("plane").get<std::string>();
     const auto plane = std::find_if(kPlanes.begin(), kPlanes.end(),
-                                    [&](Plane p) { return plane_name(p) == json.at("plane"); });
+                                    [&](Plane p) { return plane_name(p) == name; });
     blocks.push_back({{json["view"][0], json["view"][1]},
                       plane == kPlanes.end() ? Plane::kY : *plane,
                       json["block"][0],

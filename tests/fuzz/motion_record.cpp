@@ -1,4 +1,7 @@
 // The record of a motion tile: its palette and the entry of every motion block (MOT-3, MOT-4).
+#include <algorithm>
+#include <iterator>
+
 #include "syntax/index.hpp"
 #include "syntax/motion_tile.hpp"
 #include "target.hpp"
@@ -58,7 +61,7 @@ std::vector<Bytes> seeds(std::span<const uint8_t> file) {
     Bytes bytes;
     put_context(motion_context(*stream, place), bytes);
     const auto tile = (*record)->bits.bytes();
-    bytes.insert(bytes.end(), tile.begin(), tile.end());
+    std::ranges::copy(tile, std::back_inserter(bytes));
     found.push_back(std::move(bytes));
   });
   return found;

@@ -1,6 +1,8 @@
 // The record of a tile: its head, and header and values of each block (TIL-1 to TIL-10).
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <iterator>
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"
@@ -90,7 +92,7 @@ std::vector<Bytes> seeds(std::span<const uint8_t> file) {
     Bytes bytes;
     put_context(tile_context(*stream, site), bytes);
     const auto tile = (*record)->bits.bytes();
-    bytes.insert(bytes.end(), tile.begin(), tile.end());
+    std::ranges::copy(tile, std::back_inserter(bytes));
     found.push_back(std::move(bytes));
   });
   return found;

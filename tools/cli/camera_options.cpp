@@ -29,12 +29,15 @@ void add_focus(CLI::App& app, CameraOptions& options, const std::string& descrip
   const auto reader = [&options](const std::string& text) {
     options.focus_at_infinity = text == "inf";
     if (options.focus_at_infinity) return true;
+    const auto set_end = [&options](size_t end, const std::string& number) {
+      const auto value = parse_decimals(number, 1, 1);
+      if (value) (*options.focus)[end] = value->front();
+      return value && std::abs(value->front()) <= 256;
+    };
     const size_t dots = text.find("..");
-    const auto first = parse_decimals(text.substr(0, dots), 1, 1);
-    const auto last = dots == text.npos ? first : parse_decimals(text.substr(dots + 2), 1, 1);
-    if (!first || !last) return false;
-    options.focus = {first->front(), last->front()};
-    return std::abs(first->front()) <= 256 && std::abs(last->front()) <= 256;
+    options.focus.emplace();
+    return set_end(0, text.substr(0, dots)) &&
+           set_end(1, dots == text.npos ? text : text.substr(dots + 2));
   };
   CLI::Option* focus =
       add_value(app, "--focus", "D|inf|D..D", description,

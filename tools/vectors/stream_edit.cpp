@@ -127,16 +127,16 @@ class Editor {
     const auto name = json["header"].get<std::string>();
     if (json.contains("level")) {
       const size_t tree_height = load(field_of(kHeaderFields, "tree_height").offset, 1);
-      const ByteField& field = field_of(kEntryFields, name);
+      const ByteField field = field_of(kEntryFields, name);
       const size_t entry = tree_height - json["level"].get<size_t>();
       return set(kAtLevels + kLevelBytes * entry + field.offset, field.bytes, json);
     }
-    const ByteField& field = field_of(kHeaderFields, name);
+    const ByteField field = field_of(kHeaderFields, name);
     set(field.offset, field.bytes, json);
   }
 
   void edit_entry(const Json& json) {
-    const ByteField& field = field_of(kEntryFields, json.at("entry"));
+    const ByteField field = field_of(kEntryFields, json.at("entry"));
     set(entry_of(json["section"]) + field.offset, field.bytes, json);
   }
 
