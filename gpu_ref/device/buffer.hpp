@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -80,7 +81,7 @@ class GrowingBuffer {
   Buffer& reserve(Device::State& device, uint64_t bytes) {
     if (!buffer_ || buffer_->size() < bytes) {
       buffer_.reset();
-      buffer_.emplace(device, bytes, memory_);
+      buffer_ = std::make_unique<Buffer>(device, bytes, memory_);
     }
     return *buffer_;
   }
@@ -89,7 +90,7 @@ class GrowingBuffer {
 
  private:
   Memory memory_;
-  std::optional<Buffer> buffer_;
+  std::unique_ptr<Buffer> buffer_;
 };
 
 /// Returns the bytes of records as they lie in memory.

@@ -24,13 +24,11 @@ constexpr const char* kNoVulkan =
     "no Vulkan on this machine: install a driver (on Debian mesa-vulkan-drivers, which needs no "
     "GPU)";
 
-VKAPI_ATTR VkBool32 VKAPI_CALL keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
-                                            VkDebugUtilsMessageTypeFlagsEXT,
-                                            const VkDebugUtilsMessengerCallbackDataEXT* data,
-                                            void* messages) {
+// Keeps a message of the validation layer. Vulkan-Hpp gives C types, from 1.4 on its own.
+constexpr auto kKeepMessage = [](auto, auto, const auto* data, void* messages) -> VkBool32 {
   static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
   return VK_FALSE;
-}
+};
 
 bool has_layer(const vk::raii::Context& context, const std::string& name) {
   const auto layers = context.enumerateInstanceLayerProperties();
@@ -64,11 +62,12 @@ void make_instance(Device::State& state, bool validation) {
   if (!validation) return;
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
   using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  state.messenger.emplace(
-      *state.instance,
-      vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
-                                           Type::eGeneral | Type::eValidation | Type::ePerformance,
-                                           &keep_message, &state.messages));
+  vk::DebugUtilsMessengerCreateInfoEXT messages;
+  messages.messageSeverity = Severity::eWarning | Severity::eError;
+  messages.messageType = Type::eGeneral | Type::eValidation | Type::ePerformance;
+  messages.pfnUserCallback = kKeepMessage;
+  messages.pUserData = &state.messages;
+  state.messenger.emplace(*state.instance, messages);
 }
 
 std::optional<uint32_t> compute_family(const vk::raii::PhysicalDevice& physical) {
