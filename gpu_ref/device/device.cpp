@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "device_state.hpp"
+#include "kept_messages.hpp"
 
 namespace hmlfc::gpu {
 namespace {
@@ -23,12 +24,6 @@ std::string lower(std::string text) {
 constexpr const char* kNoVulkan =
     "no Vulkan on this machine: install a driver (on Debian mesa-vulkan-drivers, which needs no "
     "GPU)";
-
-// Keeps a message of the validation layer. Vulkan-Hpp gives C types, from 1.4 on its own.
-constexpr auto kKeepMessage = [](auto, auto, const auto* data, void* messages) -> VkBool32 {
-  static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
-  return VK_FALSE;
-};
 
 bool has_layer(const vk::raii::Context& context, const std::string& name) {
   const auto layers = context.enumerateInstanceLayerProperties();
@@ -60,14 +55,7 @@ void make_instance(Device::State& state, bool validation) {
     throw MachineError(FailureKind::kUnusable, kNoVulkan);
   }
   if (!validation) return;
-  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  vk::DebugUtilsMessengerCreateInfoEXT messages;
-  messages.messageSeverity = Severity::eWarning | Severity::eError;
-  messages.messageType = Type::eGeneral | Type::eValidation | Type::ePerformance;
-  messages.pfnUserCallback = kKeepMessage;
-  messages.pUserData = &state.messages;
-  state.messenger.emplace(*state.instance, messages);
+  state.messenger.emplace(*state.instance, keep_messages(state.messages));
 }
 
 std::optional<uint32_t> compute_family(const vk::raii::PhysicalDevice& physical) {

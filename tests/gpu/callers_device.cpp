@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "device/kept_messages.hpp"
+
 namespace hmlfc::gpu {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-
-VKAPI_ATTR VkBool32 VKAPI_CALL keep(VkDebugUtilsMessageSeverityFlagBitsEXT,
-                                    VkDebugUtilsMessageTypeFlagsEXT,
-                                    const VkDebugUtilsMessengerCallbackDataEXT* data,
-                                    void* messages) {
-  static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
-  return VK_FALSE;
-}
 
 }  // namespace
 
@@ -45,11 +39,7 @@ void CallersDevice::make_instance(const CallersOptions& options) {
   if (validated) info.setPNext(&features);
   instance_.emplace(context_, info);
   if (!validated) return;
-  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  messenger_.emplace(*instance_, vk::DebugUtilsMessengerCreateInfoEXT(
-                                     {}, Severity::eWarning | Severity::eError,
-                                     Type::eGeneral | Type::eValidation, &keep, &messages_));
+  messenger_.emplace(*instance_, keep_messages(messages_));
 }
 
 void CallersDevice::make_device(const CallersOptions& options) {
