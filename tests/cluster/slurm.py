@@ -35,6 +35,9 @@ class Slurm:
             (folder / name).mkdir(parents=True, mode=0o755)
         self.config = folder / "slurm.conf"
         self.config.write_text(self.config_text())
+        version = subprocess.run([find("slurmd"), "-V"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        if int(version.split()[1].split(".")[0]) >= 23:  # older ones know no such plugin, and do without
+            (folder / "cgroup.conf").write_text("CgroupPlugin=disabled\n")
         self.environment = {**os.environ, "SLURM_CONF": str(self.config)}
 
     def config_text(self):

@@ -28,8 +28,7 @@ TEST(AtomicFile, AppearsOnlyWithCommit) {
   ASSERT_TRUE(file->write(to_bytes("one ")).has_value());
   ASSERT_TRUE(file->write({}).has_value());
   ASSERT_TRUE(file->write(to_bytes("two")).has_value());
-  EXPECT_EQ(folder.names().count("a.bin"), 0u);
-  EXPECT_EQ(folder.names().begin()->rfind("a.bin.partial-", 0), 0u);
+  EXPECT_EQ(folder.names(), Names{}) << "a process that is killed now leaves a file";
   ASSERT_TRUE(file->commit().has_value());
   EXPECT_EQ(folder.names(), Names{"a.bin"});
   EXPECT_EQ(get_file(folder / "a.bin"), to_bytes("one two"));
@@ -41,7 +40,7 @@ TEST(AtomicFile, LeavesNothingWhenAbandoned) {
     auto file = AtomicFile::create(folder / "a.bin");
     ASSERT_TRUE(file.has_value());
     const AtomicFile moved = std::move(*file);
-    EXPECT_EQ(folder.names().size(), 1u);
+    EXPECT_EQ(folder.names().count("a.bin"), 0u);
   }
   EXPECT_EQ(folder.names(), Names{});
 }
@@ -77,7 +76,6 @@ TEST(AtomicFile, WritersOfOneTargetHaveFilesOfTheirOwn) {
   auto first = AtomicFile::create(folder / "a.bin");
   auto second = AtomicFile::create(folder / "a.bin");
   ASSERT_TRUE(first && second);
-  EXPECT_EQ(folder.names().size(), 2u);
   ASSERT_TRUE(first->write(to_bytes("one")) && second->write(to_bytes("two")));
   ASSERT_TRUE(first->commit() && second->commit());
   EXPECT_EQ(get_file(folder / "a.bin"), to_bytes("two"));

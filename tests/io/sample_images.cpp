@@ -60,6 +60,7 @@ Bytes make_png(const PngContent& content) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
   png_infop info = png_create_info_struct(png);
   png_set_write_fn(png, &bytes, append, nullptr);
+  png_set_check_for_invalid_index(png, 0);  // samples may have what is wrong
   png_set_IHDR(png, info, content.width, content.height, content.bit_depth, content.colour_type,
                content.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace {
 
 using Strings = std::vector<std::string>;
 
-// "ROWSxCOLS: names" of the views in `folder` and its notes, or the error, which names the folder.
+// "ROWSxCOLS: names" of the views in `folder` and its notes, or the error.
 std::string list(const std::filesystem::path& folder, const ViewNaming& naming = {}) {
   const auto views = list_views(folder, naming);
   if (!views) {
@@ -24,9 +23,7 @@ std::string list(const std::filesystem::path& folder, const ViewNaming& naming =
     return views.error().message;
   }
   std::string text = std::to_string(views->rows) + "x" + std::to_string(views->cols) + ":";
-  for (const auto& file : views->files) {
-    text += " " + file.lexically_relative(folder).string();
-  }
+  for (const auto& file : views->files) text += " " + file.lexically_relative(folder).string();
   for (const std::string& note : views->notes) text += " | " + note.substr(folder.string().size());
   return text;
 }
@@ -59,31 +56,12 @@ ViewNaming shaped(uint32_t rows, uint32_t cols) { return {.grid = GridShape{rows
 
 ViewNaming names(const std::string& pattern) { return {.pattern = pattern}; }
 
-// Names out_RR_CC.png of a grid without those of `missing`, and `more` names.
-Strings names_of(uint32_t rows, uint32_t cols, const Strings& missing = {}, Strings more = {}) {
-  for (uint32_t row = 0; row < rows; ++row) {
-    for (uint32_t col = 0; col < cols; ++col) {
-      const std::string name = "out_0" + std::to_string(row) + "_0" + std::to_string(col) + ".png";
-      if (std::ranges::find(missing, name) == missing.end()) more.push_back(name);
-    }
-  }
-  return more;
-}
-
-// Names input_CamNNN.png of cameras 0 to 8 without 4, and `more` names.
-Strings cameras_but_4(Strings more = {}) {
-  for (const char* number : {"0", "1", "2", "3", "5", "6", "7", "8"}) {
-    more.push_back(std::string("input_Cam00") + number + ".png");
-  }
-  return more;
-}
-
 // Names of a grid by a printf() format of row, column, 3 * row + 30, 400 - column.
 Strings formatted(const char* format, uint32_t rows, uint32_t cols, uint32_t first = 0) {
   Strings result;
+  char name[100];
   for (uint32_t row = first; row < first + rows; ++row) {
     for (uint32_t col = first; col < first + cols; ++col) {
-      char name[100];
       std::snprintf(name, sizeof name, format, row, col, 3 * row + 30, 400 - col);
       result.emplace_back(name);
     }
@@ -94,6 +72,21 @@ Strings formatted(const char* format, uint32_t rows, uint32_t cols, uint32_t fir
 Strings operator+(Strings a, const Strings& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
+}
+
+// Names out_RR_CC.png of a grid without those of `missing`, and `more` names.
+Strings names_of(uint32_t rows, uint32_t cols, const Strings& missing = {}, Strings more = {}) {
+  for (const std::string& name : formatted("out_0%u_0%u.png", rows, cols)) {
+    if (std::ranges::find(missing, name) == missing.end()) more.push_back(name);
+  }
+  return more;
+}
+
+// Names input_CamNNN.png of cameras 0 to 8 without 4, and `more` names.
+Strings cameras_but_4(const Strings& more = {}) {
+  Strings all = formatted("input_Cam00%u.png", 9, 1);
+  all.erase(all.begin() + 4);
+  return all + more;
 }
 
 TEST(ViewList, RowsAndColumnsOfNames) {
@@ -223,7 +216,7 @@ TEST(ViewList, MissingDoubleAndExtraViews) {
       // Two far corners do not cost memory.
       {{"0_0.png", "0_4095.png", "4094_0.png", "1_1.png"},
        {},
-       {"number 1 has 3 values", "--names"}},
+       {"number 1 has 3 values", "give --grid ROWSxCOLS"}},
       {{"0_0.png", "0_4095.png", "4094_0.png"}, {}, {"row 1, column 1 (4094_4095.png)"}},
       {names_of(3, 3, {}, {"out_1_2.png"}), {}, {"is there twice", "out_01_02.png", "out_1_2.png"}},
       {names_of(3, 3, {}, {"thumbnail.jpg"}),
@@ -306,7 +299,7 @@ TEST(ViewList, SequencesOfPictures) {
       {{"a1.png", "a2.png", "a3.png", "a4.png", "a5.png"},
        shaped(2, 2),
        {"5 pictures for a 2x2 grid of 4", "a5.png is the first one"}},
-      {{"a1.png", "a2.png", "a02.png", "a3.png"}, shaped(2, 2), {"twice", "a2.png", "a02.png"}},
+      {{"a1.png", "a2.png", "a02.png"}, shaped(2, 2), {"twice", "a2.png", "a02.png"}},
   });
 }
 

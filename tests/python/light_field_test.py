@@ -8,7 +8,7 @@ import threading
 from pathlib import Path
 
 import numpy as np
-from python_case import DEEP, STREAM, VECTORS, CliTest, RangeServer, hmlfc, main, picture
+from python_case import DEEP, STREAM, VECTORS, CliTest, RangeServer, hmlfc, main, picture, read_pfm
 
 
 class LightFieldTest(CliTest):
@@ -308,14 +308,6 @@ def as_json(record):
     if "values" in listed:
         listed["values"] = listed["values"].ravel().tolist()
     return {"record": None, **listed}
-
-
-def read_pfm(file):
-    """The values of a PFM file, the top row first."""
-    kind, size, scale, data = file.read_bytes().split(b"\n", 3)
-    width, height = map(int, size.split())
-    assert kind == b"Pf"
-    return np.frombuffer(data, "<f4" if float(scale) < 0 else ">f4").reshape(height, width)[::-1]
 
 
 if __name__ == "__main__":

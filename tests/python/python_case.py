@@ -22,3 +22,11 @@ def picture(file):
     """The samples of a PNG file, (height, width, 3), as they are stored."""
     found = read_png(file)
     return np.array(found.samples, np.uint16).reshape(found.height, found.width, 3)
+
+
+def read_pfm(file):
+    """The values of a PFM file, the top row first."""
+    kind, size, scale, data = file.read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    assert kind == b"Pf"
+    return np.frombuffer(data, "<f4" if float(scale) < 0 else ">f4").reshape(height, width)[::-1]

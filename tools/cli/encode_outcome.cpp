@@ -93,9 +93,10 @@ io::ViewList listed_views(const EncodeOptions& options) {
   std::error_code ignored;
   if (io::lower_case_extension(options.input) == ".json" &&
       std::filesystem::is_regular_file(options.input, ignored)) {
-    throw Failure(ExitCode::kUsage,
-                  options.input.string() +
-                      ": not a folder of views; a plan is encoded by --shard I/N and --assemble");
+    throw Failure(
+        ExitCode::kUsage,
+        options.input.string() +
+            ": not a folder of views; --shard I/N and --assemble take a plan, --rig a rig");
   }
   auto views = views_in(options.input, options.naming);
   if (!options.part) return views;

@@ -46,6 +46,23 @@ fs::path partial_name(const fs::path& target) {
   return name;
 }
 
+namespace {
+
+std::string path_of(const FileDescriptor& file) {
+  return "/proc/self/fd/" + std::to_string(file.get());
+}
+
+// A file without a name on the disk of `target`, which is gone with the process, however that ends;
+// none where the file system has no such files.
+FileDescriptor nameless_file(const fs::path& target) {
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  FileDescriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  if (file.get() >= 0 && ::access(path_of(file).c_str(), F_OK) != 0) return {};
+  return file;
+}
+
+}  // namespace
+
 IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
   if (!target.has_filename()) return file_error(target, "not a file name; give the output a name");
   std::error_code failure;
@@ -67,16 +84,20 @@ IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
   }
 
   fs::path partial = partial_name(resolved);
-  FileDescriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  FileDescriptor file = nameless_file(resolved);
+  const bool has_name = file.get() < 0;
+  if (has_name) {
+    file = FileDescriptor(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  }
   if (file.get() < 0) {
     return system_error(target, "cannot write here (is the folder there and writable?)", errno);
   }
   if (fs::exists(status)) ::fchmod(file.get(), static_cast<mode_t>(status.permissions()) & 0777);
-  return AtomicFile(std::move(resolved), std::move(partial), std::move(file));
+  return AtomicFile(std::move(resolved), std::move(partial), std::move(file), has_name);
 }
 
 AtomicFile::~AtomicFile() {
-  if (file_.get() >= 0) ::unlink(partial_.c_str());
+  if (file_.get() >= 0 && has_name_) ::unlink(partial_.c_str());
 }
 
 IoResult<void> AtomicFile::write(std::span<const uint8_t> bytes) {
@@ -93,6 +114,10 @@ IoResult<void> AtomicFile::write(std::span<const uint8_t> bytes) {
 IoResult<void> AtomicFile::commit() {
   constexpr const char* kFailed = "cannot finish writing; the file was left as it was";
   if (::fsync(file_.get()) != 0) return system_error(target_, kFailed, errno);
+  if (!has_name_ && ::linkat(AT_FDCWD, path_of(file_).c_str(), AT_FDCWD, partial_.c_str(),
+                             AT_SYMLINK_FOLLOW) != 0) {
+    return system_error(target_, kFailed, errno);
+  }
   // A network file system may report a full disk only on close.
   const int descriptor = file_.release();
   if (::close(descriptor) != 0 || ::rename(partial_.c_str(), target_.c_str()) != 0) {

@@ -51,8 +51,10 @@ class FileDescriptor {
 /// on whatever machine that shares the disk.
 std::filesystem::path partial_name(const std::filesystem::path& target);
 
-/// Writes to partial_name() of the target and renames it on commit(). Until then, and after any
-/// failure, the target is unchanged; without a commit() the partial file is removed.
+/// Writes to a file without a name, which becomes the target on commit(). Until then, and after any
+/// failure, the target is unchanged; without a commit(), or when the process ends, nothing is left.
+/// Where the file system has no such files, the file is called partial_name() of the target
+/// meanwhile, and stays when the process is killed.
 ///
 ///   auto file = AtomicFile::create("a.hmlfc");
 ///   if (file && file->write(header) && file->write(body)) return file->commit();
@@ -70,16 +72,22 @@ class AtomicFile {
   /// Appends all of `bytes`. Errors: full disk, size limit, device error.
   IoResult<void> write(std::span<const uint8_t> bytes);
 
-  /// Flushes to the device and renames; nothing may be written afterwards. Errors as write().
+  /// Flushes to the device and replaces the target; nothing may be written afterwards. Errors as
+  /// write().
   IoResult<void> commit();
 
  private:
-  AtomicFile(std::filesystem::path target, std::filesystem::path partial, FileDescriptor file)
-      : target_(std::move(target)), partial_(std::move(partial)), file_(std::move(file)) {}
+  AtomicFile(std::filesystem::path target, std::filesystem::path partial, FileDescriptor file,
+             bool has_name)
+      : target_(std::move(target)),
+        partial_(std::move(partial)),
+        file_(std::move(file)),
+        has_name_(has_name) {}
 
   std::filesystem::path target_;
   std::filesystem::path partial_;
   FileDescriptor file_;
+  bool has_name_;  // partial_, from the start
 };
 
 /// The whole file at once: create, write, commit.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/files.hpp"
+#include "io/view_mosaic.hpp"
 #include "io/view_reading.hpp"
 
 namespace hmlfc::io {
@@ -51,35 +52,53 @@ IoResult<ViewList> views_of(const fs::path& folder, const ViewNaming& naming) {
   if (list || pictures.size() > kFewPictures) return list;
 
   const size_t above = pictures.size();
-  for (const fs::path& row : folders) {
+  // Folders of rows, or of rows that hold folders of columns.
+  for (int depth = 0; depth < 2 && pictures.size() == above; ++depth) {
     std::vector<fs::path> deeper;
-    auto ok = list_folder(row, row.filename().string() + "/", pictures, deeper);
-    if (!ok) return tl::unexpected(ok.error());
+    for (const fs::path& row : std::exchange(folders, {})) {
+      const std::string prefix = row.lexically_relative(folder).string() + "/";
+      auto ok = list_folder(row, prefix, pictures, deeper);
+      if (!ok) return tl::unexpected(ok.error());
+    }
+    if (deeper.size() <= kMaxGridSide) folders = std::move(deeper);
   }
   if (pictures.size() == above) return list;
   return read_names(folder, naming, std::move(pictures));
 }
 
-// "; a.bmp is of a kind that is not read; ...": the first picture of another kind in `folder`.
-std::string other_pictures(const fs::path& folder) {
-  constexpr std::array<std::string_view, 14> kExtensions = {
-      ".arw", ".avif", ".bmp", ".cr2", ".dng", ".exr", ".gif",
-      ".hdr", ".heic", ".jp2", ".jxl", ".lfp", ".lfr", ".tga"};
-  std::string first;
+// "; a.bmp is of a kind that is not read; ...": the first file in `folder` that may hold views.
+std::string other_files(const fs::path& folder) {
+  constexpr std::string_view kPictures =
+      " .arw .avif .bmp .cr2 .dng .exr .gif .hdr .heic .jp2 .jxl .lfp .lfr .tga ";
+  const auto advice = [&](const fs::path& file) -> std::string_view {
+    const std::string extension = lower_case_extension(file);
+    if (extension.empty()) return "";
+    if (kPictures.find(" " + extension + " ") != kPictures.npos) {
+      return "is of a kind that is not read; convert it to PNG";
+    }
+    if (extension == ".zip" || extension == ".7z" || extension == ".tar" || extension == ".gz") {
+      return "is an archive; unpack it";
+    }
+    if (extension == ".hmlfc") return "is a stream already";
+    if (extension == ".y4m" || (is_picture_name(file) && parse_quilt_name(file))) {
+      return "holds all views; give its name, not that of the folder";
+    }
+    return is_other_video(file) ? "is a video; ffmpeg -i VIDEO OUT.y4m makes one to read" : "";
+  };
+  fs::path first;
   std::error_code failure;
   for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
        it.increment(failure)) {
-    const std::string name = it->path().filename().string();
-    const bool is_other =
-        std::ranges::find(kExtensions, lower_case_extension(name)) != kExtensions.end();
-    if (is_other && (first.empty() || name < first)) first = name;
+    const fs::path name = it->path().filename();
+    if (!advice(name).empty() && (first.empty() || name < first)) first = name;
   }
-  return first.empty() ? "" : "; " + first + " is of a kind that is not read; convert it to PNG";
+  return first.empty() ? "" : fmt::format("; {} {}", first.string(), advice(first));
 }
 
 // "; scene/views holds 3x3 views": the first folder below `folder`, else the one above, that may be
 // meant instead; empty where none is.
 std::string elsewhere(const fs::path& folder, const ViewNaming& naming) {
+  if (!naming.pattern.empty()) return "";
   std::vector<fs::path> places{folder};
   const auto text_of = [&](const fs::path& place) {
     const auto list = views_of(place, naming);
@@ -142,7 +161,7 @@ IoResult<ViewList> list_views(const fs::path& folder, const ViewNaming& naming) 
   }
   auto list = views_of(folder, naming);
   if (list) return list;
-  list.error().message += other_pictures(folder) + elsewhere(folder, naming);
+  list.error().message += other_files(folder) + elsewhere(folder, naming);
   return list;
 }
 

@@ -61,6 +61,26 @@ std::string pattern_of(const NamedPicture& picture, const GridReading& reading,
   return "'" + pattern + picture.name.substr(at) + "'";
 }
 
+// "'a_{row}_{col}_1' or 'a_0_{row}_{col}'": the patterns that take the first two or the last two
+// numbers, if they make no more places than there are views; those of one folder come first.
+std::string describe_pairs(const std::vector<NamedPicture>& views,
+                           const std::vector<NumberColumn>& columns) {
+  const NamedPicture& example = views.front();
+  std::vector<std::string> patterns;
+  for (const size_t at : {size_t{0}, columns.size() - 2}) {
+    const GridReading pair{&columns[at], &columns[at + 1]};
+    if (pair.rows() * pair.cols() > views.size() || (at == 0 && !patterns.empty())) continue;
+    patterns.push_back(pattern_of(example, pair, std::vector<bool>(example.numbers.size())));
+    const size_t slash = example.name.find('/', example.numbers[columns.front().number].end);
+    if (patterns.size() == 2 && slash < example.numbers[columns[1].number].begin) {
+      std::swap(patterns[0], patterns[1]);
+    }
+  }
+  return patterns.empty()       ? ""
+         : patterns.size() == 1 ? patterns[0]
+                                : patterns[0] + " or " + patterns[1];
+}
+
 std::string numbers_of_reading(const GridReading& reading) {
   return fmt::format("{} and {}", reading.row->number + 1, reading.col->number + 1);
 }
@@ -199,12 +219,9 @@ std::string describe_no_grid(const std::vector<NamedPicture>& views,
     if (side * side == views.size()) text += fmt::format(", such as --grid {0}x{0}", side);
     return text + " for a sequence, with --order unless it goes row by row";
   }
-  const std::vector<bool> fixed(example.numbers.size());
-  const GridReading first{columns.data(), &columns[1]};
-  const GridReading last{&columns[columns.size() - 2], &columns.back()};
-  text += " for their sorted order, or choose by --names, such as --names " +
-          pattern_of(example, first, fixed);
-  return columns.size() == 2 ? text : text + " or " + pattern_of(example, last, fixed);
+  const std::string choices = describe_pairs(views, columns);
+  return text + " for their sorted order" +
+         (choices.empty() ? "" : ", or choose by --names, such as --names " + choices);
 }
 
 std::string name_with(const std::vector<NamedPicture>& views,

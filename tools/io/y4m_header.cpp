@@ -153,9 +153,14 @@ tl::expected<Y4mHeader, std::string> parse_y4m_header(std::string_view line) {
     if (!take_colour_space(value, header)) return wrong(older, kNotRead);
     if (older.empty()) header.guessed = "no C word: 4:2:0";
   }
-  if (find(kRange).empty()) {
-    header.guessed += std::string(header.guessed.empty() ? "" : "; ") +
-                      "no XCOLORRANGE word: black is 16, white 235";
+  const auto guess = [&header](std::string_view what) {
+    header.guessed += (header.guessed.empty() ? "" : "; ") + std::string(what);
+  };
+  if (find(kRange).empty()) guess("no XCOLORRANGE word: black is 16, white 235");
+  if (header.chroma.there && !header.note) {
+    guess(
+        "colours are those of BT.709 (ffmpeg makes BT.601 of RGB without -vf "
+        "scale=out_color_matrix=bt709)");
   }
   return header;
 }

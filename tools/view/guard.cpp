@@ -36,9 +36,12 @@ std::string random_token() {
 }
 
 std::optional<std::string_view> asked_for(const Request& request, const Site& site) {
-  const std::string hosts[] = {fmt::format("127.0.0.1:{}", site.port),
-                               fmt::format("localhost:{}", site.port)};
-  if (request.host != hosts[0] && request.host != hosts[1]) return std::nullopt;
+  constexpr int kUnsaid = 80;  // browsers leave out the port of http
+  const auto is_host = [&](const std::string& name) {
+    return request.host == fmt::format("{}:{}", name, site.port) ||
+           (site.port == kUnsaid && request.host == name);
+  };
+  if (!is_host("127.0.0.1") && !is_host("localhost")) return std::nullopt;
   if (!request.origin.empty() && request.origin != "http://" + request.host) return std::nullopt;
   if (request.site == "cross-site" || request.site == "same-site") return std::nullopt;
   std::string_view path = request.path;

@@ -125,28 +125,52 @@ class Publication {
   }
 
   void write() {
-    make_output_folder(options_.output, {"index.html", "still.png", "loop.png"},
-                       {kSign, options_.force, {options_.file}});
-    make_output_folder(options_.output / "app");
+    const fs::path app = options_.output / "app";
+    const auto kernels = kernel_files();
+    prepare(app, kernels);
+    for (const fs::path& file : kernels) copy(file, app / file.filename());
+    for (const std::string_view name : kPageFiles) write_asset(name, app);
+    write_asset("embed.js", options_.output);
     copy(options_.file, options_.output / kStream);
     write_pictures();
     write_page();
-    for (const auto& entry : fs::directory_iterator(modules_)) {
-      const std::string name = entry.path().filename().string();
-      if (std::ranges::find(kOtherFiles, name) == kOtherFiles.end()) {
-        copy(entry.path(), options_.output / "app" / name);
-      }
-    }
-    for (const std::string_view name : kPageFiles) write_asset(name, options_.output / "app");
-    write_asset("embed.js", options_.output);
   }
 
  private:
-  static void copy(const fs::path& from, const fs::path& to) {
-    std::error_code error;
-    if (fs::equivalent(from, to, error)) return;
-    fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-    if (error) throw Failure(ExitCode::kOutput, to.string() + ": " + error.message());
+  // Kernels and module, of which some are for decoding blocks alone.
+  std::vector<fs::path> kernel_files() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(modules_)) {
+      const std::string name = entry.path().filename().string();
+      if (std::ranges::find(kOtherFiles, name) == kOtherFiles.end()) files.push_back(entry.path());
+    }
+    return files;
+  }
+
+  // Makes the folders. One whose page this command wrote may be replaced, all of it.
+  void prepare(const fs::path& app, const std::vector<fs::path>& kernels) const {
+    const fs::path& folder = options_.output;
+    const std::vector<std::string> signed_files{"index.html", "still.png", "loop.png"};
+    make_output_folder(folder, signed_files, {kSign, options_.force, {options_.file}});
+    if (!fs::exists(folder / "index.html")) {
+      std::vector<fs::path> others{folder / "embed.js", folder / kStream};
+      for (const fs::path& file : kernels) others.push_back(app / file.filename());
+      for (const std::string_view name : kPageFiles) others.push_back(app / name);
+      std::erase_if(others, [&](const fs::path& file) { return is_stream(file); });
+      check_replaceable(others, {"", options_.force});
+    }
+    make_output_folder(app);
+  }
+
+  bool is_stream(const fs::path& file) const {
+    std::error_code ignored;
+    return fs::equivalent(options_.file, file, ignored);
+  }
+
+  void copy(const fs::path& from, const fs::path& to) const {
+    if (from == options_.file && is_stream(to)) return;
+    const auto file = value_or_throw(io::map_file(from), ExitCode::kInput);
+    value_or_throw(io::write_file(to, file.bytes()), ExitCode::kOutput);
   }
 
   static void write_text(const fs::path& path, std::string_view text) {

@@ -22,7 +22,7 @@ def all_axes(key: Any, axes: int) -> tuple:
     keys = (*before, *(slice(None),) * missing, *after)
     for part in keys:
         if not is_index(part):
-            raise TypeError(f"an index is an integer, a slice or ..., not {part!r}; np.asarray(lf) takes others")
+            raise TypeError(f"an index is an integer, a slice or ..., not {type(part).__name__}; np.asarray(lf) takes others")
     return keys
 
 
