@@ -15,7 +15,7 @@
 namespace hmlfc::vectors {
 
 /// Version of the suite (vectors/CHANGES.md).
-inline constexpr const char* kVectorsVersion = "3.4.0";
+inline constexpr const char* kVectorsVersion = "3.5.0";
 
 /// Version of its frames.
 inline constexpr const char* kFramesVersion = "1.1.0";
