@@ -15,10 +15,10 @@
 namespace hmlfc::vectors {
 
 /// Version of the suite (vectors/CHANGES.md).
-inline constexpr const char* kVectorsVersion = "3.4.0";
+inline constexpr const char* kVectorsVersion = "3.5.0";
 
 /// Version of its frames.
-inline constexpr const char* kFramesVersion = "1.1.0";
+inline constexpr const char* kFramesVersion = "1.2.0";
 
 /// Files of a suite by their name in its folder.
 using SuiteFiles = std::map<std::string, std::vector<uint8_t>>;
