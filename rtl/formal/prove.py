@@ -79,6 +79,9 @@ class Proof:
 
 
 def solve_sat(script: list[str], clocks: str) -> int:
+    version = run(["yosys", "-V"])[1].split()[1].split("+")[0]
+    if tuple(map(int, version.split("."))) >= (0, 38):
+        script = [*script, "chformal -lower"]  # assertions are cells that `sat` does not know
     status, text = run(["yosys", "-p", "; ".join([*script, f"sat -verify -prove-asserts -set-assumes -seq {clocks}"])])
     print(text[-4000:])
     if status == 0 and "SAT proof finished - no model found: SUCCESS!" in text:

@@ -154,9 +154,9 @@ TEST(GpuKernelCacheFolder, FollowsTheEnvironment) {
 // The bytes that the driver keeps after the kernels of `use`, in `folder`; 0 where there is none.
 // On Mesa's null device, since lavapipe keeps nothing.
 size_t kept_bytes(const std::filesystem::path& folder, KernelUse use) {
-  const Variable family("RADV_FORCE_FAMILY", "gfx1100");
+  const Variable family("RADV_FORCE_FAMILY", "fiji");
   DeviceOptions options;
-  options.device = "GFX1100";
+  options.device = "FIJI";
   options.cache_folder = folder.string();
   auto device = Device::open(options);
   if (!device) return 0;

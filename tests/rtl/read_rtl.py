@@ -66,7 +66,8 @@ def commands(tool, rtl, tops):
 def said(command, rtl):
     """What the tool said; also where it only failed."""
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, cwd=rtl)
-    return run.stdout or (f"{command[-1]}: exit status {run.returncode}\n" if run.returncode else "")
+    text = "".join(line for line in run.stdout.splitlines(keepends=True) if not line.startswith("- V"))  # its report
+    return text or (f"{command[-1]}: exit status {run.returncode}\n" if run.returncode else "")
 
 
 def complaints(tool, rtl):
