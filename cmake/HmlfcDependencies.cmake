@@ -92,7 +92,10 @@ endif()
 # Debian's interpreter, for which its pybind11 and NumPy are made.
 find_program(HMLFC_DEBIAN_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 set(PYTHON_EXECUTABLE "${HMLFC_DEBIAN_PYTHON}")
-find_package(pybind11 QUIET CONFIG)
+set(Python_EXECUTABLE "${HMLFC_DEBIAN_PYTHON}")  # the same, for newer ones
+if(NOT CMAKE_CROSSCOMPILING)
+  find_package(pybind11 QUIET CONFIG)
+endif()
 hmlfc_tool(pybind11 "${pybind11_FOUND}" "${pybind11_VERSION}" "package for Python")
 find_program(HMLFC_DOXYGEN doxygen)
 hmlfc_tool(doxygen "${HMLFC_DOXYGEN}" "found" "reference of the public API")
