@@ -68,7 +68,7 @@ inline void sample_run_here(const RayRun& run, const RunTaps& taps, const RunVie
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr size_t kBlockBytes = 16;
-constexpr size_t kVectorPixels = HWY_HAVE_SCALABLE ? 1 : HWY_MAX_BYTES / kBlockBytes;
+constexpr size_t kVectorPixels = HWY_MAX_BYTES / kBlockBytes;
 static_assert(kVectorPixels <= AxisRun::kSpare && kVectorPixels <= 4);
 
 using Bytes = hn::FixedTag<uint8_t, kVectorPixels * kBlockBytes>;
