@@ -27,6 +27,8 @@ inside() {
     -DCMAKE_LIBRARY_ARCHITECTURE=aarch64-linux-gnu -DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64
   cmake --build build/release
   ctest --test-dir build/release -LE soak --output-on-failure
+  local program="qemu-aarch64 $PWD/build/release/tools/hmlfc"
+  $program conform --suite vectors --dut "$program decode {input} -o {output}" -o /root/conform
 }
 
 if ((EUID != 0)) || ! command -v debootstrap >/dev/null; then
