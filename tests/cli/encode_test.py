@@ -273,14 +273,14 @@ class Encode(CliTest):
         self.hmlfc("compare", "one", "one.hmlfc")
 
     def test_views_elsewhere(self):
-        for name in "high/two/views", "beside/views":
+        for name in "high/one/two/views", "beside/views":
             shutil.copytree(self.folder / "views", self.folder / name)
         for number in range(5):
             shutil.copy(self.folder / "views/00_00.png", self.folder / f"beside/thumb{number}.png")
         for file in sorted((self.folder / "views").iterdir()):
             (self.folder / "split" / file.name[:2]).mkdir(parents=True, exist_ok=True)
             shutil.copy(file, self.folder / "split" / file.name[:2] / file.name[3:])
-        for folder, says in ("high", "high/two holds"), ("beside", "beside/views holds"), ("split/01", "split/ holds"):
+        for folder, says in ("high", "high/one holds"), ("beside", "beside/views holds"), ("split/01", "split/ holds"):
             self.refused(INPUT, "encode", folder, "-o", "b.hmlfc", says=f"{says} 3x4 views")
 
     def test_refused_inputs_are_named(self):
