@@ -29,6 +29,8 @@ TEST(ViewGuard, AnswersThePageAlone) {
     request.host = host;
     EXPECT_FALSE(asked(request)) << host;
   }
+  request.host = "127.0.0.1";
+  EXPECT_TRUE(asked_for(request, Site{80, "secret"})) << "browsers leave out :80";
   request = good;
   request.origin = "http://127.0.0.1:8080";
   EXPECT_TRUE(asked(request));

@@ -15,7 +15,7 @@ from pathlib import Path
 from browser import WEBGPU, Browser
 from page_case import run_in_browser
 from pictures import read_png
-from program import CliTest
+from program import USAGE, CliTest
 
 PATIENCE = 400  # seconds: frames and kernels take long on a software device of a busy machine
 TITLE, TEXT = 'Cards & "cups" <b>', "25 photographs of a table"
@@ -199,6 +199,13 @@ class PublishTest(CliTest):
             Handler.versions = None
             stream.write_bytes(intact)
         self.browser.page.get_log("browser")
+
+    def test_files_of_others_stay(self):
+        own = self.folder / "own/app/player.js"
+        own.parent.mkdir(parents=True)
+        own.write_text("mine")
+        self.refused(USAGE, "publish", "a.hmlfc", "-o", "own", says="app/player.js: is there already")
+        self.assertEqual(own.read_text(), "mine")
 
     def test_page(self):
         page = (Handler.root / "index.html").read_text()
