@@ -12,15 +12,16 @@ inside() {
     CI=true ./run test
     return
   fi
-  local root=$PWD name names libraries=()
+  local root=$PWD name names packages=()
   source tools/packages.sh
   mapfile -t names < <(packages build unit)
   dpkg --add-architecture arm64
   apt-get -q update
   for name in "${names[@]}"; do
-    if [[ $name =~ ^z?lib ]] && ! apt-cache show "$name" | grep -q '^Architecture: all'; then libraries+=("$name:arm64"); fi
+    if [[ $name =~ ^z?lib ]] && ! apt-cache show "$name" | grep -q '^Architecture: all'; then name+=:arm64; fi
+    packages+=("$name")
   done
-  apt-get -q install -y --no-install-recommends "${names[@]}" "${libraries[@]}" g++-aarch64-linux-gnu qemu-user
+  apt-get -q install -y --no-install-recommends "${packages[@]}" g++-aarch64-linux-gnu qemu-user
   export PKG_CONFIG_LIBDIR=/usr/lib/aarch64-linux-gnu/pkgconfig:/usr/share/pkgconfig
   cmake --preset release -DHMLFC_TESTS=unit -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
     -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ \
