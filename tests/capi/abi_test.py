@@ -15,6 +15,7 @@ import tempfile
 from pathlib import Path
 
 RECORDED = Path(__file__).with_name("hmlfc.abi")
+RECORDED_BY = "abidw: 2.2.0"
 OPTIONS = ("--no-show-locs", "--no-corpus-path", "--no-comp-dir-path", "--no-elf-needed", "--no-architecture")
 ENUM = re.compile(r"^typedef enum (\w+)", re.M)
 FUNCTION = re.compile(r"^HMLFC_C_EXPORT ([^;]+);", re.M)
@@ -42,8 +43,10 @@ def differences(recorded, found):
         files = [Path(folder) / name for name in ("recorded.abi", "found.abi")]
         for file, text in zip(files, (recorded, found)):
             file.write_text(text)
-        # Dumps of other releases of abidw differ in words.
-        return subprocess.run(["abidiff", "--harmless", *map(str, files)], capture_output=True, text=True).stdout
+        told = subprocess.run(["abidiff", "--harmless", *map(str, files)], capture_output=True, text=True).stdout
+    version = subprocess.run(["abidw", "--version"], capture_output=True, text=True).stdout
+    # Dumps of other releases differ in words.
+    return told or ("the dumps differ\n" if RECORDED_BY in version else "")
 
 
 def main():

@@ -1,8 +1,9 @@
 #include "remote/http_source.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
+
+#include "io/files.hpp"
 
 namespace hmlfc::remote {
 namespace {
@@ -15,8 +16,7 @@ constexpr uint64_t kMostRequestBytes = uint64_t{4} << 20;
 }  // namespace
 
 bool is_address(const std::filesystem::path& path) {
-  std::string scheme = path.string().substr(0, 8);
-  for (char& c : scheme) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string scheme = io::lower_case(path.string().substr(0, 8));
   return scheme.starts_with("http://") || scheme == "https://";
 }
 
