@@ -102,19 +102,18 @@ namespace {
 
 // Throws std::bad_alloc unless there is room for oneTBB's first arena and threads. Without room for
 // them, oneTBB 2022 waits for a lock that it holds itself.
-bool has_room() {
+void check_room() {
   constexpr size_t kRoom = size_t{4} << 20;
   void* const room = ::mmap(nullptr, kRoom, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) throw std::bad_alloc();
   ::munmap(room, kRoom);
-  return true;
 }
 
 // Runs `loop`. oneTBB says of a thread for which there is no memory that pthread_create has failed.
 template <class Loop>
 void with_threads(const Loop& loop) {
-  static const bool had_room = has_room();
-  static_cast<void>(had_room);
+  static const bool checked = (check_room(), true);
+  static_cast<void>(checked);
   try {
     loop();
   } catch (const std::runtime_error& error) {
