@@ -15,6 +15,7 @@ module hmlfc_decode_unit #(
     parameter int AXI_DATA_BITS = 128,  // 64, 128
     parameter int OUTSTANDING = 64,    // 4..64
     parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
+    parameter int CACHES = 2,          // 1, 2
     parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
     parameter int STRIP_READ = 32,     // 32, 64
     parameter int TRACE = 1,           // 0..1; 0: nothing is kept for the trace, which is 0
@@ -116,6 +117,7 @@ module hmlfc_decode_unit #(
   if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0) begin : check_tile_contexts
     $error("TILE_CONTEXTS is a power of two, 2 to 32");
   end
+  if (CACHES != 1 && CACHES != 2) begin : check_caches $error("CACHES is 1 or 2"); end
   if (CACHE_STRIPS < 64 || CACHE_STRIPS > 1024 || (CACHE_STRIPS & (CACHE_STRIPS - 1)) != 0) begin : check_cache_strips
     $error("CACHE_STRIPS is a power of two, 64 to 1024");
   end
@@ -237,7 +239,8 @@ module hmlfc_decode_unit #(
   logic [2*6-1:0] window_error;
   logic [2*WINDOW_BITS-1:0] window;
   hmlfc_references #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS),
-      .CACHE_STRIPS(CACHE_STRIPS), .FILLS(1 << $clog2(OUTSTANDING)), .STRIP_READ(STRIP_READ)) references (
+      .CACHES(CACHES), .CACHE_STRIPS(CACHE_STRIPS), .FILLS(1 << $clog2(OUTSTANDING)),
+      .STRIP_READ(STRIP_READ)) references (
       .clk, .rst_n, .stream, .flush, .in_valid(flow_valid), .in_ready(flow_ready), .in_flow(flow),
       .in_image(reference_image), .in_has_residual(has_residual), .in_residual(residual), .out_valid(pending_valid),
       .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual), .window_valid, .window_ready,

@@ -5,10 +5,12 @@
 // Works out where a block's references are displaced to (MOT-7 to MOT-9) and asks the caches for their windows.
 //
 // K0 comes through cache A, K1 to K3 through cache B; both windows of reference set 5 come through B, the first one
-// first. A block of a key image asks A for its own samples. Blocks with an error ask for none. Latency 7 clocks.
+// first. A block of a key image asks A for its own samples. With one cache it is B, for all. Blocks with an error ask
+// for none. Latency 7 clocks.
 module hmlfc_reference_ask #(
     parameter int BLOCK_LOG2 = 2,
     parameter int RESIDUAL_BITS = 160,
+    parameter int CACHES = 2,  // 1, 2
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SLOT_BITS = 1 + ADDRESS_BITS + 2 + 11 + 15 + 15 + 17 + 17 + 2
 ) (
@@ -110,7 +112,7 @@ module hmlfc_reference_ask #(
   logic [STAGES:1] first_from_b, section_a, section_b;
   always_ff @(posedge clk) begin
     if (advance) begin
-      first_from_b <= {first_from_b[STAGES-1:1], motion && k_first != 2'd0};
+      first_from_b <= {first_from_b[STAGES-1:1], CACHES == 1 || (motion && k_first != 2'd0)};
       section_a <= {section_a[STAGES-1:1], k_first[1]};
       section_b <= {section_b[STAGES-1:1], k_second[1]};
     end

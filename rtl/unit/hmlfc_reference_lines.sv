@@ -103,25 +103,26 @@ module hmlfc_reference_lines #(
     end
   end
 
-  // 2: the four blocks, {below, right} counting them.
+  // 2: the four blocks, by the parities {row, column} of their places: one of two neighbours is even.
   logic [COLUMN_BITS-1:0] column_1;
   logic row_1, two_x_1, two_y_1, two_x_2, two_y_2;
+  logic [1:0] first_2;  // parities of the upper left block
   logic [SIDE*SELECT_BITS-1:0] select_x_1, select_y_1, select_x_2, select_y_2;
   logic [4*LINE_BITS-1:0] blocks_next, blocks_2;
+  wire [2*COLUMN_BITS-1:0] columns = {column_1 | COLUMN_BITS'(1), column_1 + COLUMN_BITS'(column_1[0])};  // {odd, even}
   always_comb begin
     blocks_next = '0;
-    for (int r = 0; r < 2; r++) begin
-      for (int c = 0; c < 2; c++) begin
-        for (int k = 0; k < 2 * COLUMNS; k++) begin
-          blocks_next[(r*2+c)*LINE_BITS+:LINE_BITS] = blocks_next[(r*2+c)*LINE_BITS+:LINE_BITS] |
-              (lines_1[k*LINE_BITS+:LINE_BITS] &
-               {LINE_BITS{{row_1 ^ 1'(r), column_1 + COLUMN_BITS'(c)} == (COLUMN_BITS + 1)'(k)}});
-        end
+    for (int b = 0; b < 4; b++) begin
+      for (int c = b % 2; c < COLUMNS; c += 2) begin
+        blocks_next[b*LINE_BITS+:LINE_BITS] = blocks_next[b*LINE_BITS+:LINE_BITS] |
+            (lines_1[((b/2)*COLUMNS+c)*LINE_BITS+:LINE_BITS] &
+             {LINE_BITS{columns[(b%2)*COLUMN_BITS+:COLUMN_BITS] == COLUMN_BITS'(c)}});
       end
     end
   end
 
-  // 3: samples: of each row of the window those of both blocks in it, then one for each column.
+  // 3: samples: of each row of the window those of both blocks in it, then one for each column. Rows and columns
+  // count from the even block on.
   logic [SIDE*2*B*SAMPLE_BITS-1:0] rows;
   logic [SIDE*SIDE*SAMPLE_BITS-1:0] window;
   always_comb begin
@@ -144,10 +145,16 @@ module hmlfc_reference_lines #(
       end
     end
   end
-  wire [5:0] error_left = blocks_2[SAMPLES*SAMPLE_BITS+:6];
-  wire [5:0] error_right = blocks_2[LINE_BITS+SAMPLES*SAMPLE_BITS+:6] & {6{two_x_2}};
-  wire [5:0] error_below = blocks_2[2*LINE_BITS+SAMPLES*SAMPLE_BITS+:6] & {6{two_y_2}};
-  wire [5:0] error_corner = blocks_2[3*LINE_BITS+SAMPLES*SAMPLE_BITS+:6] & {6{two_x_2 && two_y_2}};
+  function automatic logic [5:0] error_of(input logic [4*LINE_BITS-1:0] blocks, input logic [1:0] block);
+    error_of = '0;
+    for (int b = 0; b < 4; b++) begin
+      if (block == 2'(b)) error_of = blocks[b*LINE_BITS+SAMPLES*SAMPLE_BITS+:6];
+    end
+  endfunction
+  wire [5:0] error_left = error_of(blocks_2, first_2);
+  wire [5:0] error_right = error_of(blocks_2, first_2 ^ 2'b01) & {6{two_x_2}};
+  wire [5:0] error_below = error_of(blocks_2, first_2 ^ 2'b10) & {6{two_y_2}};
+  wire [5:0] error_corner = error_of(blocks_2, ~first_2) & {6{two_x_2 && two_y_2}};
   wire [5:0] error = error_left != 0 ? error_left : error_right != 0 ? error_right :
       error_below != 0 ? error_below : error_corner;
   assign spoiled = valid[2] && advance &&
@@ -160,7 +167,9 @@ module hmlfc_reference_lines #(
       column_1 <= left_column;
       row_1 <= in_block_y[0];
       {two_x_1, two_y_1, select_x_1, select_y_1} <= {in_two_x, in_two_y, in_select_x, in_select_y};
-      {two_x_2, two_y_2, select_x_2, select_y_2} <= {two_x_1, two_y_1, select_x_1, select_y_1};
+      {two_x_2, two_y_2, first_2} <= {two_x_1, two_y_1, row_1, column_1[0]};
+      select_x_2 <= select_x_1 ^ {SIDE{column_1[0], BLOCK_LOG2'(0)}};
+      select_y_2 <= select_y_1 ^ {SIDE{row_1, BLOCK_LOG2'(0)}};
       blocks_2 <= blocks_next;
       out_error <= error;
       out_window <= window;

@@ -4,7 +4,7 @@
 // Fetches the samples that predict a block: requests the windows of its references from both caches (DEC-4)
 // and queues the block until they arrive.
 //
-//   reference_ask -+-> [8] -> cache A (K0) ----------> a_*
+//   reference_ask -+-> [8] -> cache A (K0) ----------> a_*    with CACHES = 1 there is only cache B, for all
 //                  +-> [8] -> cache B (K1, K2, K3) --> b_*
 //                  +-> [256] residuals, places ------> out_*
 //
@@ -14,6 +14,7 @@ module hmlfc_references #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
+    parameter int CACHES = 2,  // 1, 2
     parameter int CACHE_STRIPS = 512,  // of cache A; B has twice as many
     parameter int FILLS = 32,  // strips in flight of each, a power of two
     parameter int STRIP_READ = 32,  // bytes of a strip that are read at once
@@ -60,14 +61,18 @@ module hmlfc_references #(
   logic pending_valid, pending_ready;
   hmlfc_pkg::pending_t pending;
   logic [RESIDUAL_BITS-1:0] pending_residual;
-  hmlfc_reference_ask #(.BLOCK_LOG2(BLOCK_LOG2), .RESIDUAL_BITS(RESIDUAL_BITS)) reference_ask (
+  hmlfc_reference_ask #(.BLOCK_LOG2(BLOCK_LOG2), .RESIDUAL_BITS(RESIDUAL_BITS), .CACHES(CACHES)) reference_ask (
       .clk, .rst_n, .stream, .image(in_image), .in_flow, .in_valid, .in_ready, .in_has_residual, .in_residual,
       .a_valid(asked_valid[0]), .a_ready(asked_ready[0]), .a_window(asked[0+:SLOT_BITS]), .b_valid(asked_valid[1]),
       .b_ready(asked_ready[1]), .b_window(asked[SLOT_BITS+:SLOT_BITS]), .out_valid(pending_valid),
       .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual)
   );
 
-  for (genvar c = 0; c < 2; c++) begin : g_cache
+  if (CACHES == 1) begin : g_no_cache
+    assign {window_valid[0], window_error[0+:6], window[0+:WINDOW_BITS], requests[0+:READ_REQUEST_BITS]} = '0;
+    assign asked_ready[0] = 1'b0;
+  end
+  for (genvar c = 2 - CACHES; c < 2; c++) begin : g_cache
     logic slot_valid, slot_ready;
     logic [SLOT_BITS-1:0] slot;
     hmlfc_fifo #(.WIDTH(SLOT_BITS), .DEPTH(8)) before_cache (

@@ -58,6 +58,7 @@ module hmlfc_tile_contexts #(
   always_comb begin
     hit = 1'b0;
     hit_context = '0;
+    crowded = 1'b0;
     found = 1'b0;
     free_context = '0;
     for (int i = 0; i < CONTEXTS; i++) begin
@@ -65,6 +66,7 @@ module hmlfc_tile_contexts #(
       if (kept[i] && tiles[i*TILE_BITS+:TILE_BITS] == tile) begin
         hit = 1'b1;
         hit_context = CONTEXT_BITS'(i);
+        crowded = &users[i*USER_BITS+1+:USER_BITS-1];
       end
     end
     for (int i = CONTEXTS - 1; i >= 0; i--) begin
@@ -73,7 +75,6 @@ module hmlfc_tile_contexts #(
         free_context = CONTEXT_BITS'(oldest + CONTEXT_BITS'(i));
       end
     end
-    crowded = &users[hit_context*USER_BITS+1+:USER_BITS-1];
   end
 
   logic list_ready;
@@ -107,6 +108,7 @@ module hmlfc_tile_contexts #(
       end else if (release_valid && release_context == CONTEXT_BITS'(i)) begin
         users[i*USER_BITS+:USER_BITS] <= users[i*USER_BITS+:USER_BITS] - 1'b1;
       end
+      if (load && free_context == CONTEXT_BITS'(i)) tiles[i*TILE_BITS+:TILE_BITS] <= tile;
     end
     if (loaded_valid) begin
       ready[loaded_context] <= 1'b1;
@@ -115,7 +117,6 @@ module hmlfc_tile_contexts #(
     if (load) begin
       kept[free_context] <= 1'b1;
       ready[free_context] <= 1'b0;
-      tiles[free_context*TILE_BITS+:TILE_BITS] <= tile;
       oldest <= free_context + 1'b1;
     end
     if (!rst_n || flush) begin

@@ -16,8 +16,8 @@ set(HMLFC_RTL_UNITS "" CACHE STRING
 if(HMLFC_RTL_UNITS)
   set(decode_units ${HMLFC_RTL_UNITS})
 endif()
-# What a decode unit for blocks of 2 keeps is replaced often.
-set(decode_1_parameters -GTILE_CONTEXTS=2 -GCACHE_STRIPS=64)
+# The decode units of 64 bits are the smallest; what they keep is replaced often.
+set(decode_64_parameters -GTILE_CONTEXTS=2 -GCACHES=1 -GCACHE_STRIPS=64)
 set(decode_3_parameters -GSTRIP_READ=64)
 
 # Waves double the time that a unit takes to compile, so that only the first decode unit has them.
@@ -55,7 +55,8 @@ foreach(kind decode view dma)
   foreach(unit IN LISTS ${kind}_units)
     string(REGEX MATCH "^(.+):(.+):(.+):(.+)$" parts "${unit}")
     set(parameters -GBLOCK_LOG2=${CMAKE_MATCH_1} -GAXI_DATA_BITS=${CMAKE_MATCH_3})
-    set(whole -GMAX_DEPTH=${CMAKE_MATCH_2} -GOUTSTANDING=${CMAKE_MATCH_4} ${${kind}_${CMAKE_MATCH_1}_parameters})
+    set(whole -GMAX_DEPTH=${CMAKE_MATCH_2} -GOUTSTANDING=${CMAKE_MATCH_4} ${${kind}_${CMAKE_MATCH_1}_parameters}
+      ${${kind}_${CMAKE_MATCH_3}_parameters})
     string(REPLACE ":" "_" prefix "${kind}_${unit}")
     math(EXPR beat_bytes "${CMAKE_MATCH_3} / 8")
     set(values "{${CMAKE_MATCH_1}, ${CMAKE_MATCH_2}, ${beat_bytes}, ${CMAKE_MATCH_4}}")

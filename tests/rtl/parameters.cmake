@@ -40,10 +40,11 @@ foreach(value 32 96 2048)
   hmlfc_elaboration_test(cache_strips_${value} "CACHE_STRIPS is a power of two, 64 to 1024"
     CACHE_STRIPS=${value})
 endforeach()
+hmlfc_elaboration_test(caches_3 "CACHES is 1 or 2" CACHES=3)
 hmlfc_elaboration_test(strip_read_16 "STRIP_READ is 32 or 64" STRIP_READ=16)
 hmlfc_elaboration_test(trace_2 "TRACE is 0 or 1" TRACE=2)
 hmlfc_elaboration_test(least "" BLOCK_LOG2=1 MAX_DEPTH=8 AXI_DATA_BITS=64 OUTSTANDING=4
-  TILE_CONTEXTS=2 CACHE_STRIPS=64 TRACE=0)
+  TILE_CONTEXTS=2 CACHES=1 CACHE_STRIPS=64 TRACE=0)
 hmlfc_elaboration_test(greatest "" BLOCK_LOG2=3 MAX_DEPTH=12 AXI_DATA_BITS=128 OUTSTANDING=64
   TILE_CONTEXTS=32 CACHE_STRIPS=1024 STRIP_READ=64)
 
