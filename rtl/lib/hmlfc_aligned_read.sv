@@ -24,8 +24,9 @@ module hmlfc_aligned_read #(
     input logic [DATA_BITS-1:0] data
 );
 
-  localparam int BEAT_LOG2 = $clog2(DATA_BITS / 8);
-  localparam int MAX_BEATS = 128 / DATA_BITS + 1;
+  localparam int BYTES = DATA_BITS / 8;
+  localparam int BEAT_LOG2 = $clog2(BYTES);
+  localparam int MAX_BEATS = (2 * BYTES + 14) / BYTES;
 
   logic waiting;
   logic [BEAT_LOG2-1:0] offset;
@@ -39,7 +40,7 @@ module hmlfc_aligned_read #(
     done <= 1'b0;
     if (start) begin
       request.address <= {address[ADDRESS_BITS-1:BEAT_LOG2], BEAT_LOG2'(0)};
-      request.beats <= 10'(128 / DATA_BITS) + 10'(|address[BEAT_LOG2-1:0]);
+      request.beats <= (10'(address[BEAT_LOG2-1:0]) + 10'(15 + BYTES)) >> BEAT_LOG2;
       offset <= address[BEAT_LOG2-1:0];
       error <= 1'b0;
       beat <= '0;

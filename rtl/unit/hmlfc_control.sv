@@ -98,7 +98,7 @@ module hmlfc_control #(
       .block_done,
       .in_flight(!idle),
       .stalled,
-      .read_bytes(beat ? 5'(DATA_BITS / 8) : 5'd0),
+      .read_bytes(beat ? 6'(DATA_BITS / 8) : 6'd0),
       .answered
   );
   hmlfc_loader #(

@@ -12,7 +12,7 @@
 module hmlfc_decode_unit #(
     parameter int BLOCK_LOG2 = 2,      // 1..3
     parameter int MAX_DEPTH = 8,       // 8..12
-    parameter int AXI_DATA_BITS = 128,  // 64, 128
+    parameter int AXI_DATA_BITS = 128,  // 64, 128, 256
     parameter int OUTSTANDING = 64,    // 4..64
     parameter int TILE_CONTEXTS = 16,  // 2..32, a power of two
     parameter int CACHES = 2,          // 1, 2
@@ -110,8 +110,8 @@ module hmlfc_decode_unit #(
 `ifndef __ICARUS__  // version 11 has no elaboration tasks
   if (BLOCK_LOG2 < 1 || BLOCK_LOG2 > 3) begin : check_block_log2 $error("BLOCK_LOG2 is 1, 2 or 3"); end
   if (MAX_DEPTH < 8 || MAX_DEPTH > 12) begin : check_max_depth $error("MAX_DEPTH is 8 to 12"); end
-  if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128) begin : check_axi_data_bits
-    $error("AXI_DATA_BITS is 64 or 128");
+  if (AXI_DATA_BITS != 64 && AXI_DATA_BITS != 128 && AXI_DATA_BITS != 256) begin : check_axi_data_bits
+    $error("AXI_DATA_BITS is 64, 128 or 256");
   end
   if (OUTSTANDING < 4 || OUTSTANDING > 64) begin : check_outstanding $error("OUTSTANDING is 4 to 64"); end
   if (TILE_CONTEXTS < 2 || TILE_CONTEXTS > 32 || (TILE_CONTEXTS & (TILE_CONTEXTS - 1)) != 0) begin : check_tile_contexts

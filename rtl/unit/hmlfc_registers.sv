@@ -60,7 +60,7 @@ module hmlfc_registers #(
     input logic block_done,
     input logic in_flight,
     input logic stalled,
-    input logic [4:0] read_bytes,
+    input logic [5:0] read_bytes,
     input logic answered
 );
 `ifndef __ICARUS__  // version 11 has no elaboration tasks
@@ -147,7 +147,7 @@ module hmlfc_registers #(
   logic [63:0]  request;
   logic [159:0] lows, highs;
   logic [4:0]   carries;
-  wire [24:0]   added = {4'd0, answered, read_bytes, 4'd0, stalled, 4'd0, in_flight, 4'd0, block_done};
+  wire [29:0]   added = {5'd0, answered, read_bytes, 5'd0, stalled, 5'd0, in_flight, 5'd0, block_done};
   always_comb begin
     pairs[63:0] = request;
     for (int k = 0; k < COUNTERS; k = k + 1) begin
@@ -156,7 +156,7 @@ module hmlfc_registers #(
   end
   always_ff @(posedge clk) begin
     for (int k = 0; k < COUNTERS; k = k + 1) begin
-      {carries[k], lows[32*k +: 32]} <= {1'b0, lows[32*k +: 32]} + {28'd0, added[5*k +: 5]};
+      {carries[k], lows[32*k +: 32]} <= {1'b0, lows[32*k +: 32]} + {27'd0, added[6*k +: 6]};
       highs[32*k +: 32] <= pairs[64*(k+1)+32 +: 32];
     end
     if (!rst_n || clear) {highs, carries, lows} <= '0;

@@ -130,18 +130,23 @@ module hmlfc_strip_fill #(
   wire there = asked != taken && complete[slot];
   wire last = failed[slot] || number == 3'((totals[slot] - 1'b1) >> 3);
   wire read = there && (!word_valid || put);
-  if (DATA_BITS == 128) begin : g_whole
-    hmlfc_ram #(.WIDTH(128), .DEPTH(SLOTS * 8)) beats (
-        .clk, .write(response.valid), .write_address({burst_slot, at}), .write_data(data), .read,
-        .read_address({slot, number}), .read_data(word)
-    );
-  end else begin : g_halves
+  if (DATA_BITS == 64) begin : g_halves
     for (genvar l = 0; l < 2; l++) begin : g_lane
       hmlfc_ram #(.WIDTH(64), .DEPTH(SLOTS * 8)) beats (
           .clk, .write(response.valid && at[0] == 1'(l)), .write_address({burst_slot, at[BEAT_BITS-1:1]}),
           .write_data(data), .read, .read_address({slot, number}), .read_data(word[l*64+:64])
       );
     end
+  end else begin : g_rows
+    localparam int ROWS = DATA_BITS / 128;  // in a beat
+    logic [DATA_BITS-1:0] rows;
+    logic row;
+    hmlfc_ram #(.WIDTH(DATA_BITS), .DEPTH(SLOTS * MAX_BEATS)) beats (
+        .clk, .write(response.valid), .write_address({burst_slot, at}), .write_data(data), .read,
+        .read_address({slot, number[2-:BEAT_BITS]}), .read_data(rows)
+    );
+    always_ff @(posedge clk) if (read) row <= number[0] && ROWS == 2;
+    assign word = 128'(rows >> {row, 7'd0});
   end
   hmlfc_ram #(.WIDTH(PLACE_BITS), .DEPTH(SLOTS)) places (
       .clk, .write(ask), .write_address(ask_slot), .write_data(ask_place), .read, .read_address(slot),

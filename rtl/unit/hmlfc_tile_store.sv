@@ -66,7 +66,7 @@ module hmlfc_tile_store #(
   localparam int READS = PARSER_READS + 1;
   localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
   localparam int RESIDUAL_BANKS = (SAMPLES * VALUE_BITS + 63 + 63) / 64;
-  localparam int BANKS = !RESIDUALS ? 2 : RESIDUAL_BANKS <= 4 ? 4 : 1 << $clog2(RESIDUAL_BANKS);
+  localparam int BANKS = !RESIDUALS ? (DATA_BITS > 128 ? 4 : 2) : RESIDUAL_BANKS <= 4 ? 4 : 1 << $clog2(RESIDUAL_BANKS);
   localparam int WINDOW_BITS = BANKS * 64;
   localparam int ENTRY_BITS = 6 + 6 + 4 + 14 + POSITION_BITS;
 

@@ -66,8 +66,8 @@ module hmlfc_view_fetch #(
 
   // ---- The fields lie in the first 48 bytes.
   localparam int WORDS = 12;
-  localparam int BEATS = WORDS / (DATA_BITS / 32);
-  logic [32*WORDS-1:0] words;
+  localparam int BEATS = (32 * WORDS + DATA_BITS - 1) / DATA_BITS;
+  logic [BEATS*DATA_BITS-1:0] words;
   logic [2:0] beat;
   logic failed;
   assign ar_len = 8'(BEATS - 1);

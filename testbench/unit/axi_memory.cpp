@@ -154,7 +154,7 @@ void AxiMemory::take_write(const UnitInputs& in, const UnitOutputs& out) {
     addresses_.push_back({begin, beats});
   }
   if (out.write_w_valid && in.write_w_ready) {
-    check(out.write_w_strb >> unit_.beat_bytes == 0, "a strobe is outside the beat");
+    check(uint64_t{out.write_w_strb} >> unit_.beat_bytes == 0, "a strobe is outside the beat");
     beats_.push_back({out.write_w_data, out.write_w_strb, out.write_w_last});
     ++write_beats;
   }
@@ -210,7 +210,8 @@ void AxiMemory::show_beat(UnitInputs& next) {
 // A beat's data and response.
 void AxiMemory::fill_beat(uint64_t address, UnitInputs& next) {
   const unsigned beat_bytes = unit_.beat_bytes;
-  next.r_data = {random_.next(), beat_bytes == 16 ? random_.next() : 0};
+  next.r_data = {};
+  for (unsigned i = 0; i < beat_bytes / 8; ++i) next.r_data[i] = random_.next();
   next.r_resp = 0;
   if (const FaultyRange* fault = fault_in(address, beat_bytes)) {
     next.r_resp = fault->response;

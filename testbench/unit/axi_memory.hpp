@@ -71,7 +71,7 @@ class AxiMemory {
   };
   struct WriteBeat {
     Beat data;
-    uint16_t strobe;
+    uint32_t strobe;
     bool last;
   };
   struct WriteAddress {

@@ -11,7 +11,7 @@
 namespace hmlfc::tb {
 
 /// A beat of the read master, low word first; with 64-bit data the second word is 0.
-using Beat = std::array<uint64_t, 2>;
+using Beat = std::array<uint64_t, 4>;
 
 /// Every input of a unit but the clock. A unit ignores those that it does not have.
 struct UnitInputs {
@@ -67,7 +67,7 @@ struct UnitOutputs {
   uint8_t write_aw_burst = 0;
   bool write_w_valid = false;
   Beat write_w_data{};
-  uint16_t write_w_strb = 0;
+  uint32_t write_w_strb = 0;
   bool write_w_last = false;
   bool write_b_ready = false;
   // s_axil_*

@@ -4,12 +4,12 @@
 # depth and no reads. The first unit that fits a stream decodes it. The tests need a decode unit for each
 # block size, and values of OUTSTANDING that are no power of two; ./run soak adds MAX_DEPTH = 8, for which
 # the tests have the modules of the datapath.
-set(decode_units "2:12:128:64" "1:12:64:5" "3:12:128:24")
+set(decode_units "2:12:128:64" "1:12:64:5" "3:12:256:24")
 set(view_units "2:12:128:32")
-set(dma_units "1:12:64:5" "2:12:128:32" "3:12:64:5")
+set(dma_units "1:12:64:5" "2:12:128:32" "3:12:256:5")
 if(HMLFC_SOAK)
   list(APPEND decode_units "2:8:64:16")
-  list(APPEND view_units "1:12:64:5" "3:12:128:24")
+  list(APPEND view_units "1:12:64:5" "3:12:256:24")
 endif()
 set(HMLFC_RTL_UNITS "" CACHE STRING
   "BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING of each Verilated decode unit; empty: those of the tests")

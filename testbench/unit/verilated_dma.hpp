@@ -1,6 +1,7 @@
 // The DMA of the view unit as Verilator made it, with the golden model as its decode unit.
 #pragma once
 
+#include <bit>
 #include <deque>
 
 #include "oracle/oracle.hpp"
@@ -50,7 +51,7 @@ class VerilatedDma final : public VerilatedUnit<Model> {
     out.ar_valid = m.fetch_arvalid && m.unit_rst_n;
     out.ar_addr = m.fetch_araddr;
     out.ar_len = m.fetch_arlen;
-    out.ar_size = this->parameters().beat_bytes == 16 ? 4 : 3;
+    out.ar_size = static_cast<uint8_t>(std::countr_zero(this->parameters().beat_bytes));
     out.ar_burst = 1;
     out.ar_id = 1;
     out.r_ready = true;

@@ -26,8 +26,8 @@ endforeach()
 foreach(value 7 13)
   hmlfc_elaboration_test(max_depth_${value} "MAX_DEPTH is 8 to 12" MAX_DEPTH=${value})
 endforeach()
-foreach(value 32 96 256)
-  hmlfc_elaboration_test(axi_data_bits_${value} "AXI_DATA_BITS is 64 or 128" AXI_DATA_BITS=${value})
+foreach(value 32 96 512)
+  hmlfc_elaboration_test(axi_data_bits_${value} "AXI_DATA_BITS is 64, 128 or 256" AXI_DATA_BITS=${value})
 endforeach()
 foreach(value 3 65)
   hmlfc_elaboration_test(outstanding_${value} "OUTSTANDING is 4 to 64" OUTSTANDING=${value})
@@ -45,7 +45,7 @@ hmlfc_elaboration_test(strip_read_16 "STRIP_READ is 32 or 64" STRIP_READ=16)
 hmlfc_elaboration_test(trace_2 "TRACE is 0 or 1" TRACE=2)
 hmlfc_elaboration_test(least "" BLOCK_LOG2=1 MAX_DEPTH=8 AXI_DATA_BITS=64 OUTSTANDING=4
   TILE_CONTEXTS=2 CACHES=1 CACHE_STRIPS=64 TRACE=0)
-hmlfc_elaboration_test(greatest "" BLOCK_LOG2=3 MAX_DEPTH=12 AXI_DATA_BITS=128 OUTSTANDING=64
+hmlfc_elaboration_test(greatest "" BLOCK_LOG2=3 MAX_DEPTH=12 AXI_DATA_BITS=256 OUTSTANDING=64
   TILE_CONTEXTS=32 CACHE_STRIPS=1024 STRIP_READ=64)
 
 find_program(HMLFC_YOSYS yosys)
