@@ -18,6 +18,7 @@ lib/hmlfc_activity.sv
 unit/hmlfc_colour.sv
 lib/hmlfc_skid_buffer.sv
 unit/hmlfc_answer.sv
+unit/hmlfc_between.sv
 unit/hmlfc_interpolate.sv
 unit/hmlfc_reconstruct.sv
 unit/hmlfc_compose.sv

@@ -89,6 +89,8 @@ int hmlfc_unit_open(struct hmlfc_unit* unit, const struct hmlfc_io* io,
                                       HMLFC_REG_PARAMETERS_BLOCK_LOG2_SHIFT);
   unit->limits.depth = (uint8_t)((parameters & HMLFC_REG_PARAMETERS_MAX_DEPTH_MASK) >>
                                  HMLFC_REG_PARAMETERS_MAX_DEPTH_SHIFT);
+  unit->beat = (uint8_t)((parameters & HMLFC_REG_PARAMETERS_BEAT_BYTES_MASK) >>
+                         HMLFC_REG_PARAMETERS_BEAT_BYTES_SHIFT);
   return HMLFC_OK;
 }
 
@@ -120,8 +122,9 @@ void hmlfc_unit_set_watchdog(struct hmlfc_unit* unit, uint32_t clocks) {
 
 int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
                     const struct hmlfc_buffer* area) {
+  const unsigned alignment = unit->beat < 16 ? 16 : unit->beat;
   uint32_t status;
-  if (!is_place(stream_bus, stream->bytes, 16, 31) || !is_area(area, stream)) {
+  if (!is_place(stream_bus, stream->bytes, alignment, 15u + unit->beat) || !is_area(area, stream)) {
     return HMLFC_BAD_ARGUMENT;
   }
   clean(unit, stream->file, stream->bytes);

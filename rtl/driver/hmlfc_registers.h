@@ -61,7 +61,8 @@
 #define HMLFC_REG_STATUS_LOAD_ERROR_SHIFT 8
 #define HMLFC_REG_STATUS_LOAD_ERROR_MASK 0x00003f00u
 
-/* STREAM_BASE, read, write: byte address of the stream's first byte, a multiple of 16 */
+/* STREAM_BASE, read, write: byte address of the stream's first byte, a multiple of 16 and of a
+ * beat */
 #define HMLFC_REG_STREAM_BASE 0x010u
 #define HMLFC_REG_STREAM_BASE_HIGH 0x014u
 #define HMLFC_REG_STREAM_BASE_RESET 0x0000000000000000ull

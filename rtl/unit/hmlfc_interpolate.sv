@@ -13,9 +13,8 @@
 // two                  use both; else window_b, fx_b and fy_b do not matter
 // prediction           R(x, y) at bits SAMPLE_BITS * (y * B + x) on
 //
-// Latency 3 clocks with advance, one block a clock: along rows, along columns, rounding.
-// (8 - f) a + f b is a + m0 + 2 m1 + 4 m2, where mk is b if bit k of f is set, else a: no multiplication,
-// and two additions one after the other. Nothing is rounded before the end.
+// Latency 3 clocks with advance, one block a clock: along rows, along columns, rounding. Nothing is rounded before the
+// end.
 module hmlfc_interpolate #(
     parameter int BLOCK_LOG2 = 2,
     parameter int SAMPLE_BITS = 10
@@ -57,28 +56,17 @@ module hmlfc_interpolate #(
       for (x = 0; x < B; x = x + 1) begin : gen_column
         for (y = 0; y < SIDE; y = y + 1) begin : gen_along_row
           localparam integer AT = r * WINDOW + (y * SIDE + x) * SAMPLE_BITS;
-          logic [SAMPLE_BITS-1:0] left, right, m0, m1, m2;
-          logic [ROW_BITS-1:0]    low, high;
-          assign left = windows[AT +: SAMPLE_BITS];
-          assign right = windows[AT + SAMPLE_BITS +: SAMPLE_BITS];
-          assign m0 = fx[3*r] ? right : left;
-          assign m1 = fx[3*r+1] ? right : left;
-          assign m2 = fx[3*r+2] ? right : left;
-          assign low = {{3{left[SAMPLE_BITS-1]}}, left} + {{3{m0[SAMPLE_BITS-1]}}, m0};
-          assign high = {{2{m1[SAMPLE_BITS-1]}}, m1, 1'b0} + {m2[SAMPLE_BITS-1], m2, 2'd0};
-          assign rows_next[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS] = low + high;
+          hmlfc_between #(.SAMPLE_BITS(SAMPLE_BITS)) between (
+              .first(windows[AT +: SAMPLE_BITS]), .second(windows[AT + SAMPLE_BITS +: SAMPLE_BITS]),
+              .eighths(fx[3*r +: 3]), .value(rows_next[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS])
+          );
         end
         for (y = 0; y < B; y = y + 1) begin : gen_along_column
-          logic [ROW_BITS-1:0] upper, lower, m0, m1, m2;
-          logic [SUM_BITS-1:0] low, high;
-          assign upper = rows[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS];
-          assign lower = rows[((r*SIDE+y+1)*B+x)*ROW_BITS +: ROW_BITS];
-          assign m0 = fy_rows[3*r] ? lower : upper;
-          assign m1 = fy_rows[3*r+1] ? lower : upper;
-          assign m2 = fy_rows[3*r+2] ? lower : upper;
-          assign low = {{3{upper[ROW_BITS-1]}}, upper} + {{3{m0[ROW_BITS-1]}}, m0};
-          assign high = {{2{m1[ROW_BITS-1]}}, m1, 1'b0} + {m2[ROW_BITS-1], m2, 2'd0};
-          assign sums_next[((r*B+y)*B+x)*SUM_BITS +: SUM_BITS] = low + high;
+          hmlfc_between #(.SAMPLE_BITS(ROW_BITS)) between (
+              .first(rows[((r*SIDE+y)*B+x)*ROW_BITS +: ROW_BITS]),
+              .second(rows[((r*SIDE+y+1)*B+x)*ROW_BITS +: ROW_BITS]), .eighths(fy_rows[3*r +: 3]),
+              .value(sums_next[((r*B+y)*B+x)*SUM_BITS +: SUM_BITS])
+          );
         end
       end
     end

@@ -72,7 +72,7 @@ module hmlfc_references #(
     assign {window_valid[0], window_error[0+:6], window[0+:WINDOW_BITS], requests[0+:READ_REQUEST_BITS]} = '0;
     assign asked_ready[0] = 1'b0;
   end
-  for (genvar c = 2 - CACHES; c < 2; c++) begin : g_cache
+  for (genvar c = CACHES == 1 ? 1 : 0; c < 2; c++) begin : g_cache
     logic slot_valid, slot_ready;
     logic [SLOT_BITS-1:0] slot;
     hmlfc_fifo #(.WIDTH(SLOT_BITS), .DEPTH(8)) before_cache (

@@ -139,14 +139,14 @@ module hmlfc_strip_fill #(
     end
   end else begin : g_rows
     localparam int ROWS = DATA_BITS / 128;  // in a beat
-    logic [DATA_BITS-1:0] rows;
+    logic [DATA_BITS-1:0] beat_rows;
     logic row;
     hmlfc_ram #(.WIDTH(DATA_BITS), .DEPTH(SLOTS * MAX_BEATS)) beats (
         .clk, .write(response.valid), .write_address({burst_slot, at}), .write_data(data), .read,
-        .read_address({slot, number[2-:BEAT_BITS]}), .read_data(rows)
+        .read_address({slot, number[2-:BEAT_BITS]}), .read_data(beat_rows)
     );
     always_ff @(posedge clk) if (read) row <= number[0] && ROWS == 2;
-    assign word = 128'(rows >> {row, 7'd0});
+    assign word = 128'(beat_rows >> {row, 7'd0});
   end
   hmlfc_ram #(.WIDTH(PLACE_BITS), .DEPTH(SLOTS)) places (
       .clk, .write(ask), .write_address(ask_slot), .write_data(ask_place), .read, .read_address(slot),

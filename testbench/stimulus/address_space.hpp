@@ -1,6 +1,7 @@
 // Places in the 40 bits of a unit's addresses, by seed.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,8 +14,11 @@ namespace hmlfc::tb {
 class AddressSpace {
  public:
   static constexpr uint64_t kEnd = uint64_t{1} << 40;
-  static constexpr uint64_t kApart = 64;       ///< bytes between two places, at least
-  static constexpr uint64_t kReadBehind = 31;  ///< that a unit may read after what it needs
+  static constexpr uint64_t kApart = 64;  ///< bytes between two places, at least
+
+  /// What a stream's address is a multiple of, and the bytes after it that a unit may read.
+  static uint64_t stream_alignment(unsigned beat_bytes) { return std::max(16u, beat_bytes); }
+  static uint64_t read_behind(unsigned beat_bytes) { return 15 + beat_bytes; }
 
   explicit AddressSpace(uint64_t seed) : random_(seed) {}
 

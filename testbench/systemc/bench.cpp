@@ -69,19 +69,21 @@ void Bench::compare_answers_only() {
 
 void Bench::set_image(const MemoryImage& image) {
   const MemoryImage before = std::exchange(image_, image);
+  const unsigned beat_bytes = unit_->parameters().beat_bytes;
   if (places_) {
     AddressSpace space(places_->next());
     const auto place_of = [&](std::span<const uint8_t> bytes, uint64_t alignment, uint64_t behind) {
       return space.take(std::max<uint64_t>(bytes.size(), 1), alignment, behind);
     };
-    image_.stream_base = place_of(image_.stream, 16, AddressSpace::kReadBehind);
+    image_.stream_base = place_of(image_.stream, AddressSpace::stream_alignment(beat_bytes),
+                                  AddressSpace::read_behind(beat_bytes));
     image_.reference_base = place_of(image_.reference_area, kStripBytes, 0);
   } else if (keeps_places_) {
     image_.stream_base = before.stream_base;
     image_.reference_base = before.reference_base;
   } else if (image_.reference_base == 0) {
     const uint64_t stream_end =
-        image_.stream_base + image_.stream.size() + AddressSpace::kReadBehind;
+        image_.stream_base + image_.stream.size() + AddressSpace::read_behind(beat_bytes);
     image_.reference_base = align(stream_end, 4096);
   }
   memory_.content = {};

@@ -18,7 +18,7 @@ namespace hmlfc::tb {
 struct MemoryImage {
   std::span<const uint8_t> stream;
   std::span<const uint8_t> reference_area;
-  uint64_t stream_base = 0x10000;  ///< a multiple of 16
+  uint64_t stream_base = 0x10000;  ///< a multiple of 32
   uint64_t reference_base = 0;     ///< a multiple of 128; 0: after the stream
 };
 

@@ -218,7 +218,7 @@ void AxiMemory::fill_beat(uint64_t address, UnitInputs& next) {
   } else if (content.has(address)) {
     const std::span<const uint8_t> bytes = std::as_const(content).at(address);
     std::memcpy(next.r_data.data(), bytes.data(), std::min<size_t>(beat_bytes, bytes.size()));
-  } else if (!content.has(address, AddressSpace::kReadBehind)) {
+  } else if (!content.has(address, AddressSpace::read_behind(beat_bytes))) {
     next.r_resp = kDecodeError;
   }
   if (next.r_resp != 0) failed_.insert(address);

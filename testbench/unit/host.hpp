@@ -40,7 +40,7 @@ class Host {
   uint64_t stopped_clocks() const { return unit_->stopped_clocks(); }  ///< of the unit
 
  protected:
-  static constexpr uint64_t kAlignment = 16;  ///< of streams and destinations
+  static constexpr uint64_t kAlignment = 16;  ///< of destinations
 
   /// Holds the unit in reset for a few clocks.
   void reset_unit();
@@ -48,6 +48,11 @@ class Host {
   /// The address of a new place of at least `bytes` in memory: a multiple of `alignment`, with
   /// `behind` addresses after the place.
   uint64_t take_place(uint64_t bytes, uint64_t alignment, uint64_t behind);
+  uint64_t take_stream_place(uint64_t bytes) {
+    const unsigned beat_bytes = parameters().beat_bytes;
+    return take_place(bytes, AddressSpace::stream_alignment(beat_bytes),
+                      AddressSpace::read_behind(beat_bytes));
+  }
 
   UnitInputs in_;    ///< as the unit has them now
   UnitInputs next_;  ///< as it has them from the next clock on

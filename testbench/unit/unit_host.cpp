@@ -18,7 +18,7 @@ UnitHost::UnitHost(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream,
                    std::span<const uint8_t> area)
     : Host(std::move(unit), crc32c(stream)),
       stream_bytes_(stream.size()),
-      stream_base_(take_place(stream.size(), kAlignment, AddressSpace::kReadBehind)),
+      stream_base_(take_stream_place(stream.size())),
       area_base_(take_place(area.size(), kStripBytes, 0)) {
   std::ranges::copy(stream, memory().content.at(stream_base_).begin());
   std::ranges::copy(area, memory().content.at(area_base_).begin());

@@ -28,7 +28,7 @@ ViewHost::ViewHost(std::unique_ptr<Unit> unit, std::span<const uint8_t> stream, 
   open(true);
   hmlfc_stream_open(&stream_, stream.data(), stream.size(), &driver_.limits, &stream_error_);
   if (stream_error_.code != HMLFC_OK) stream_.area_bytes = 0;
-  stream_base_ = take_place(stream.size(), kAlignment, AddressSpace::kReadBehind);
+  stream_base_ = take_stream_place(stream.size());
   std::ranges::copy(stream, memory().content.at(stream_base_).begin());
   area_base_ = take_place(stream_.area_bytes, HMLFC_STRIP_BYTES, 0);
   places_ = space_.size();

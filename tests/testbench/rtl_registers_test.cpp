@@ -119,7 +119,7 @@ TEST(Registers, BasesHaveFortyBits) {
     EXPECT_EQ(bench.read_pair(HMLFC_REG_STREAM_BYTES), ~uint64_t{0});
     EXPECT_EQ(bench.read_pair(HMLFC_REG_REFERENCE_BASE), (uint64_t{1} << 40) - 1);
     MemoryImage memory = image.memory();
-    memory.stream_base = 0xFE'DCBA'9870;
+    memory.stream_base = 0xFE'DCBA'9860;
     bench.set_image(memory);
     EXPECT_EQ(bench.load(), HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_IDLE_MASK);
     bench.run(mixed_requests(image.golden()->geometry(), image.golden()->header(), 40, 1, 0),
