@@ -38,6 +38,7 @@ unit/hmlfc_vector_axis.sv
 unit/hmlfc_vector.sv
 unit/hmlfc_reference_ask.sv
 unit/hmlfc_reference_lines.sv
+unit/hmlfc_window_axis.sv
 unit/hmlfc_reference_window.sv
 unit/hmlfc_reference_lookup.sv
 unit/hmlfc_strip_fill.sv

@@ -19,7 +19,7 @@ module hmlfc_between #(
 );
   wire signed [VALUE_BITS-1:0] a = VALUE_BITS'(first);
   wire signed [VALUE_BITS-1:0] s = VALUE_BITS'(first) + VALUE_BITS'(second);
-  wire signed [VALUE_BITS-1:0] m = VALUE_BITS'(eighths[2] ? second : first);
+  wire signed [VALUE_BITS-1:0] m = eighths[2] ? VALUE_BITS'(second) : VALUE_BITS'(first);
   wire signed [VALUE_BITS-1:0] low = eighths[0] ? s : a <<< 1;
   wire signed [VALUE_BITS-1:0] high = eighths[1] != eighths[2] ? s : m <<< 1;
   assign value = low + ((high + m) <<< 1);

@@ -121,27 +121,53 @@ module hmlfc_reference_lines #(
     end
   end
 
-  // 3: samples: of each row of the window those of both blocks in it, then one for each column. Rows and columns
-  // count from the even block on.
+  // 3: samples: of each row of the window those of both blocks in it, then one for each column. Row k of one of both
+  // blocks serves all rows of the window but the last: of the upper one where k is not less than the first row's.
+  logic [B-1:0] upper_x_2, upper_y_2;
+  logic [2*B*B*SAMPLE_BITS-1:0] shared_rows;
+  logic [SIDE*B*SAMPLE_BITS-1:0] shared_columns;
   logic [SIDE*2*B*SAMPLE_BITS-1:0] rows;
   logic [SIDE*SIDE*SAMPLE_BITS-1:0] window;
   always_comb begin
     rows = '0;
     window = '0;
+    for (int k = 0; k < B; k++) begin
+      for (int x = 0; x < 2 * B; x++) begin
+        shared_rows[(k*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] = upper_y_2[k] ^ first_2[1] ?
+            blocks_2[(x/B)*LINE_BITS+(k*B+x%B)*SAMPLE_BITS+:SAMPLE_BITS] :
+            blocks_2[(2+x/B)*LINE_BITS+(k*B+x%B)*SAMPLE_BITS+:SAMPLE_BITS];
+      end
+    end
+    for (int j = 0; j < B; j++) begin
+      for (int k = 0; k < B; k++) begin
+        rows[j*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] = rows[j*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] |
+            (shared_rows[k*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] &
+             {2*B*SAMPLE_BITS{select_y_2[j*SELECT_BITS+:BLOCK_LOG2] == BLOCK_LOG2'(k)}});
+      end
+    end
+    for (int y = 0; y < 2 * B; y++) begin
+      for (int x = 0; x < 2 * B; x++) begin
+        rows[(B*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] = rows[(B*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] |
+            (blocks_2[((y/B)*2+(x/B))*LINE_BITS+((y%B)*B+x%B)*SAMPLE_BITS+:SAMPLE_BITS] &
+             {SAMPLE_BITS{(select_y_2[B*SELECT_BITS+:SELECT_BITS] ^ {first_2[1], BLOCK_LOG2'(0)}) == SELECT_BITS'(y)}});
+      end
+    end
     for (int j = 0; j < SIDE; j++) begin
-      for (int y = 0; y < 2 * B; y++) begin
-        for (int x = 0; x < 2 * B; x++) begin
-          rows[(j*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] = rows[(j*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] |
-              (blocks_2[((y/B)*2+(x/B))*LINE_BITS+((y%B)*B+x%B)*SAMPLE_BITS+:SAMPLE_BITS] &
-               {SAMPLE_BITS{select_y_2[j*SELECT_BITS+:SELECT_BITS] == SELECT_BITS'(y)}});
+      for (int k = 0; k < B; k++) begin
+        shared_columns[(j*B+k)*SAMPLE_BITS+:SAMPLE_BITS] = upper_x_2[k] ^ first_2[0] ?
+            rows[(j*2*B+k)*SAMPLE_BITS+:SAMPLE_BITS] : rows[(j*2*B+B+k)*SAMPLE_BITS+:SAMPLE_BITS];
+      end
+      for (int i = 0; i < B; i++) begin
+        for (int k = 0; k < B; k++) begin
+          window[(j*SIDE+i)*SAMPLE_BITS+:SAMPLE_BITS] = window[(j*SIDE+i)*SAMPLE_BITS+:SAMPLE_BITS] |
+              (shared_columns[(j*B+k)*SAMPLE_BITS+:SAMPLE_BITS] &
+               {SAMPLE_BITS{select_x_2[i*SELECT_BITS+:BLOCK_LOG2] == BLOCK_LOG2'(k)}});
         end
       end
-      for (int i = 0; i < SIDE; i++) begin
-        for (int x = 0; x < 2 * B; x++) begin
-          window[(j*SIDE+i)*SAMPLE_BITS+:SAMPLE_BITS] = window[(j*SIDE+i)*SAMPLE_BITS+:SAMPLE_BITS] |
-              (rows[(j*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] &
-               {SAMPLE_BITS{select_x_2[i*SELECT_BITS+:SELECT_BITS] == SELECT_BITS'(x)}});
-        end
+      for (int x = 0; x < 2 * B; x++) begin
+        window[(j*SIDE+B)*SAMPLE_BITS+:SAMPLE_BITS] = window[(j*SIDE+B)*SAMPLE_BITS+:SAMPLE_BITS] |
+            (rows[(j*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] &
+             {SAMPLE_BITS{(select_x_2[B*SELECT_BITS+:SELECT_BITS] ^ {first_2[0], BLOCK_LOG2'(0)}) == SELECT_BITS'(x)}});
       end
     end
   end
@@ -168,8 +194,11 @@ module hmlfc_reference_lines #(
       row_1 <= in_block_y[0];
       {two_x_1, two_y_1, select_x_1, select_y_1} <= {in_two_x, in_two_y, in_select_x, in_select_y};
       {two_x_2, two_y_2, first_2} <= {two_x_1, two_y_1, row_1, column_1[0]};
-      select_x_2 <= select_x_1 ^ {SIDE{column_1[0], BLOCK_LOG2'(0)}};
-      select_y_2 <= select_y_1 ^ {SIDE{row_1, BLOCK_LOG2'(0)}};
+      {select_x_2, select_y_2} <= {select_x_1, select_y_1};
+      for (int k = 0; k < B; k++) begin
+        upper_x_2[k] <= BLOCK_LOG2'(k) >= select_x_1[BLOCK_LOG2-1:0];
+        upper_y_2[k] <= BLOCK_LOG2'(k) >= select_y_1[BLOCK_LOG2-1:0];
+      end
       blocks_2 <= blocks_next;
       out_error <= error;
       out_window <= window;

@@ -30,40 +30,12 @@ module hmlfc_reference_window #(
     output logic [SIDE*SELECT_BITS-1:0] select_y
 );
 
-  function automatic logic [14:0] clamped(input logic signed [16:0] at, input logic [14:0] size);
-    clamped = at < 0 ? '0 : at[15:0] >= {1'b0, size} ? size - 15'd1 : at[14:0];
-  endfunction
-
-  // 1: coordinates. The last one touched is that before it where its weight is 0.
-  logic [SIDE*15-1:0] columns, rows;
-  always_ff @(posedge clk) begin
-    if (advance) begin
-      for (int i = 0; i < SIDE; i++) begin
-        columns[i*15+:15] <= clamped(x + 17'((i == SIDE - 1 && !extra_x) ? i - 1 : i), width);
-        rows[i*15+:15] <= clamped(y + 17'((i == SIDE - 1 && !extra_y) ? i - 1 : i), height);
-      end
-    end
-  end
-
-  // 2: blocks, and places in them.
-  wire [BLOCK_BITS-1:0] first_x = BLOCK_BITS'(columns[14:0] >> BLOCK_LOG2);
-  wire [BLOCK_BITS-1:0] first_y = BLOCK_BITS'(rows[14:0] >> BLOCK_LOG2);
-  always_ff @(posedge clk) begin
-    if (advance) begin
-      block_x <= first_x;
-      block_y <= first_y;
-      two_x <= BLOCK_BITS'(columns[(SIDE-1)*15+:15] >> BLOCK_LOG2) != first_x;
-      two_y <= BLOCK_BITS'(rows[(SIDE-1)*15+:15] >> BLOCK_LOG2) != first_y;
-      for (int i = 0; i < SIDE; i++) begin
-        select_x[i*SELECT_BITS+:SELECT_BITS] <= {
-          BLOCK_BITS'(columns[i*15+:15] >> BLOCK_LOG2) != first_x, columns[i*15+:BLOCK_LOG2]
-        };
-        select_y[i*SELECT_BITS+:SELECT_BITS] <= {
-          BLOCK_BITS'(rows[i*15+:15] >> BLOCK_LOG2) != first_y, rows[i*15+:BLOCK_LOG2]
-        };
-      end
-    end
-  end
+  hmlfc_window_axis #(.BLOCK_LOG2(BLOCK_LOG2)) columns (
+      .clk, .advance, .at(x), .size(width), .extra(extra_x), .block(block_x), .two(two_x), .select(select_x)
+  );
+  hmlfc_window_axis #(.BLOCK_LOG2(BLOCK_LOG2)) rows (
+      .clk, .advance, .at(y), .size(height), .extra(extra_y), .block(block_y), .two(two_y), .select(select_y)
+  );
 
 endmodule
 
