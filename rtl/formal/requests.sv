@@ -8,7 +8,7 @@
 // Complete: the stream's configuration and the error of LOAD are any constants; `flush` comes only while no request is
 // held, and key images are of the tree's levels.
 module prove_requests #(
-  parameter integer VIEWS = 4  // of the unit's 16: slots differ in number alone, and their pairs make the proof long
+  parameter integer VIEWS = 4  // of the unit's 8: slots differ in number alone, and their pairs make the proof long
 ) (
   input logic clk, input logic rst_n, input logic enable, input logic flush, input logic s_valid,
       input logic [63:0] s_data,

@@ -235,10 +235,10 @@ module hmlfc_tile_walk #(
   assign ask[2] = valid[STAGES] && table_ready && needs_table;
   assign ask_address[2*ADDRESS_BITS+:ADDRESS_BITS] = pair_8;
 
-  // ---- End table: a pipeline of four clocks. 1: bits from the first of both entries on.
+  // ---- End table: a pipeline of five clocks. 1: bits from the first of both entries on.
   logic bound_valid, bound_asked, bound_first;
-  logic [4:1] bounds;  // valid
-  wire bound_advance = !bounds[4] || out_ready;
+  logic [5:1] bounds;  // valid
+  wire bound_advance = !bounds[5] || out_ready;
   wire bound_enter = bound_valid && (!bound_asked || come[2]);
   assign take[2] = bound_advance && bound_enter && bound_asked;
   logic [INFO_BITS-1:0] bound_info;
@@ -266,9 +266,12 @@ module hmlfc_tile_walk #(
   wire [5:0] table_error = bound_asked && read_error[2] ? BUS_ERROR : bound_error;
   logic has_record_4;
   logic [5:0] error_4;
+  logic [INFO_BITS-1:0] info_4;
+  logic [ADDRESS_BITS-1:0] address_4;
+  logic [31:0] bytes_4;
   always_ff @(posedge clk) begin
     if (bound_advance) begin
-      bounds <= {bounds[3:1], bound_enter};
+      bounds <= {bounds[4:1], bound_enter};
       bound_carries <= {bound_carries[2*BOUND_BITS-1:0], bound_info, table_error, bound_asked, bound_records};
       pair_1 <= 71'(read_bytes[2*128+:78] >> bound_shift);
       {width_1, first_1} <= {bound_offset_bits, bound_first};
@@ -282,16 +285,18 @@ module hmlfc_tile_walk #(
       // 4: the record.
       none <= end_3 <= begin_3;
       end_at <= 50'(records_3) + 50'(end_3);
-      out_address <= stream.tile_address + ADDRESS_BITS'(records_3) + ADDRESS_BITS'(begin_3);
-      out_bytes <= end_3 - begin_3;
-      {out_info, error_4, has_record_4} <= bound_carries[3*BOUND_BITS-1-:INFO_BITS+7];
+      address_4 <= stream.tile_address + ADDRESS_BITS'(records_3) + ADDRESS_BITS'(begin_3);
+      bytes_4 <= end_3 - begin_3;
+      {info_4, error_4, has_record_4} <= bound_carries[3*BOUND_BITS-1-:INFO_BITS+7];
+      // 5: whether it lies in the section.
+      {out_info, out_address, out_bytes} <= {info_4, address_4, bytes_4};
+      out_empty <= error_4 == 0 && !has_record_4;
+      out_error <= error_4 != 0 || !has_record_4 ? error_4 :
+          none || end_at > 50'(stream.tile_bytes) ? 6'(HMLFC_ERROR_BAD_TILE_OFFSET) : 6'd0;
     end
     if (!rst_n) bounds <= '0;
   end
-  assign out_valid = bounds[4];
-  assign out_error = error_4 != 0 || !has_record_4 ? error_4 :
-      none || end_at > 50'(stream.tile_bytes) ? 6'(HMLFC_ERROR_BAD_TILE_OFFSET) : 6'd0;
-  assign out_empty = error_4 == 0 && !has_record_4;
+  assign out_valid = bounds[5];
 
 endmodule
 
