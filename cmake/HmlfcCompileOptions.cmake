@@ -30,10 +30,6 @@ function(hmlfc_compile_quickly)
   endforeach()
 endfunction()
 
-if(HMLFC_PLAIN_THREADS)
-  add_compile_definitions(HMLFC_PLAIN_THREADS)
-endif()
-
 if(HMLFC_SANITIZE)
   add_compile_options(-fsanitize=${HMLFC_SANITIZE} -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)

@@ -42,6 +42,7 @@ ALLOWED = {
     "model/render": DECODER,
     "model/encoder": DECODER,
     "model/capi": {"model/bits"},
+    "fallback": {"model/bits", "model/encoder"},
     "gpu_ref/include": set(),
     "gpu_ref/shaders": set(),
     "gpu_ref/device": {"model/bits", "model/arithmetic", "gpu_ref/shaders"},
