@@ -148,10 +148,11 @@ hmlfc_tool(ccache "${HMLFC_CCACHE}" "found" "faster rebuilds")
 hmlfc_tool(mold "${HMLFC_HAS_MOLD}" "found" "faster links")
 
 # SIMD for SSE4, AVX2, AVX-512, NEON and Z, beside portable code: few processors have SSSE3 alone, every
-# set takes its time to compile, and vectors of SVE and RVV, which have no fixed size, are no members.
+# set takes its time to compile, Highway 1.0.3 refuses -march=native where that means AVX3_DL, and
+# vectors of SVE and RVV, which have no fixed size, are no members.
 if(hwy_FOUND)
   target_compile_definitions(hwy::hwy INTERFACE
-    "HWY_DISABLED_TARGETS=HWY_SSSE3|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV")
+    "HWY_DISABLED_TARGETS=HWY_SSSE3|HWY_AVX3_DL|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV")
 endif()
 
 get_property(missing GLOBAL PROPERTY hmlfc_missing_packages)
