@@ -3,7 +3,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -58,14 +57,15 @@ void parallel_for(size_t count, const std::function<void(size_t)>& body) {
       next = count;
     }
   };
-  {
-    std::vector<std::jthread> helpers;
-    try {
-      for (size_t k = 1; k < std::min(count, loop_threads()); ++k) helpers.emplace_back(work);
-    } catch (const std::system_error&) {  // there are no more threads: fewer do the work
-    }
-    work();
+  const size_t threads = std::min(count, loop_threads());
+  std::vector<std::thread> helpers;
+  helpers.reserve(threads);
+  try {
+    for (size_t k = 1; k < threads; ++k) helpers.emplace_back(work);
+  } catch (const std::exception&) {  // there is no room for more threads: fewer do the work
   }
+  work();
+  for (std::thread& helper : helpers) helper.join();
   if (error) std::rethrow_exception(error);
 }
 
