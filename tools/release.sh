@@ -53,7 +53,7 @@ run_release() {
   stage wheel "$build/wheel.log" "$(debian_python)" -m pip wheel --no-build-isolation --no-deps -w "$folder" "$root"
   (tests=OFF; use_build static; build hmlfc_cli; cp "$build/tools/hmlfc" "$folder/$name-linux-$(uname -m)")
   cp "$root/Containerfile" "$folder"
-  (cd "$folder" && rm ./*.sha256 && sha256sum -- * | tee SHA256SUMS)
+  (cd "$folder" && rm ./*.sha256 && sha256sum -- [!S]* | tee SHA256SUMS)
   say "Sign SHA256SUMS, tag this commit v$version, publish all of $folder with the tag, and the image of its Containerfile.
 Packages and wheel are for this release of Debian; $name-linux-$(uname -m) runs on any Linux."
 }
