@@ -30,10 +30,6 @@ function(hmlfc_compile_quickly)
   endforeach()
 endfunction()
 
-if(HMLFC_PLAIN_THREADS)
-  add_compile_definitions(HMLFC_PLAIN_THREADS)
-endif()
-
 if(HMLFC_SANITIZE)
   add_compile_options(-fsanitize=${HMLFC_SANITIZE} -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)
@@ -46,16 +42,6 @@ endif()
 if(HMLFC_COVERAGE)
   add_compile_options(--coverage -fprofile-update=atomic)
   add_link_options(--coverage)
-  find_program(HMLFC_GCOVR gcovr)
-  if(HMLFC_GCOVR)
-    add_custom_target(coverage
-      COMMAND "${CMAKE_COMMAND}" -E make_directory "${PROJECT_BINARY_DIR}/coverage"
-      COMMAND "${HMLFC_GCOVR}" --root "${PROJECT_SOURCE_DIR}" --filter "${PROJECT_SOURCE_DIR}/model/"
-              --html-details "${PROJECT_BINARY_DIR}/coverage/index.html" --print-summary
-              "${PROJECT_BINARY_DIR}"
-      COMMENT "Coverage of the tests run so far: ${PROJECT_BINARY_DIR}/coverage/index.html"
-      USES_TERMINAL VERBATIM)
-  endif()
 endif()
 
 # The two tools below only make builds faster; each is used where it is installed.

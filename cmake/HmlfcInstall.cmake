@@ -30,12 +30,48 @@ if(HMLFC_GPU)
   install(EXPORT hmlfc-gpu NAMESPACE hmlfc:: DESTINATION "${package_dir}" COMPONENT dev)
   install(DIRECTORY gpu_ref/include/hmlfc DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev)
 endif()
+if(NOT tl-expected_FOUND)
+  install(DIRECTORY fallback/tl-expected/tl DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev)
+endif()
 if(HMLFC_WGSL)
   install(DIRECTORY "${HMLFC_WGSL}/" DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/wgsl" COMPONENT dev)
 endif()
 install(DIRECTORY model/include/hmlfc
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+
+# What find_package and pkg-config look for with the library: what this build has found.
+set(HMLFC_DEPENDENCIES "")
+set(HMLFC_PC_REQUIRES libopenjp2)
+foreach(found TBB=tbb hwy=libhwy)
+  string(REPLACE "=" ";" names ${found})
+  list(POP_FRONT names name)
+  if(${name}_TARGET AND ${name}_FOUND)
+    list(APPEND HMLFC_DEPENDENCIES ${name})
+    list(APPEND HMLFC_PC_REQUIRES ${names})
+  endif()
+endforeach()
+list(JOIN HMLFC_PC_REQUIRES " " HMLFC_PC_REQUIRES)
+configure_package_config_file(cmake/hmlfc-config.cmake.in
+  "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
+  INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config-version.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
+  "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config-version.cmake"
+  DESTINATION "${package_dir}" COMPONENT dev)
+
+file(RELATIVE_PATH HMLFC_PC_PREFIX
+  "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+string(REGEX REPLACE "/$" "" HMLFC_PC_PREFIX "${HMLFC_PC_PREFIX}")
+configure_file(cmake/hmlfc.pc.in "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc" @ONLY)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
+
+if(NOT HMLFC_TOOLS)
+  return()
+endif()
 if(TARGET hmlfc_cli)
   install(TARGETS hmlfc_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
   # The conformance suite, which the program finds there.
@@ -76,23 +112,6 @@ install(DIRECTORY tests/naive_decoder DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlf
 install(CODE "get_filename_component(DATA
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/hmlfc\" ABSOLUTE)" COMPONENT vectors)
 install(SCRIPT cmake/UnlinkMissing.cmake COMPONENT vectors)
-
-configure_package_config_file(cmake/hmlfc-config.cmake.in
-  "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
-  INSTALL_DESTINATION "${package_dir}")
-write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config-version.cmake"
-  COMPATIBILITY SameMinorVersion)
-install(FILES
-  "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
-  "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config-version.cmake"
-  DESTINATION "${package_dir}" COMPONENT dev)
-
-file(RELATIVE_PATH HMLFC_PC_PREFIX
-  "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
-string(REGEX REPLACE "/$" "" HMLFC_PC_PREFIX "${HMLFC_PC_PREFIX}")
-configure_file(cmake/hmlfc.pc.in "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc" @ONLY)
-install(FILES "${CMAKE_CURRENT_BINARY_DIR}/hmlfc.pc"
-  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
 
 set(rtl_dir "${CMAKE_INSTALL_DATADIR}/hmlfc/rtl")
 install(FILES

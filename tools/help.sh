@@ -66,6 +66,7 @@ Releases
   pack-vectors     [FOLDER]: the conformance suite as an archive, and its SHA-256
   package          [FOLDER]: Debian packages
   docs             [FOLDER]: documents and reference of the library as a site
+  release          [FOLDER]: all files of a release of this commit, their sums, and what is left to do
   sbom             [FILE]: packages that a build uses: versions, purpose (CycloneDX)
 
 Measurements

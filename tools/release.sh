@@ -38,6 +38,26 @@ run_sbom() {
   exec "$(debian_python)" -B "$root/tools/release/sbom.py" "$root" "${1:-$root/out/sbom.json}"
 }
 
+# run_release [FOLDER]: all files of a release of this commit in a new FOLDER, and what is left to do with them.
+run_release() {
+  local folder=${1:-$root/out/release} version name
+  version=$(sed -n 's/^  VERSION //p' "$root/CMakeLists.txt") name=hmlfc-$version
+  if [[ -e $folder || -n $(git -C "$root" status --porcelain) ]]; then
+    say "A release is one commit's, in a new folder: $folder exists, or something is not committed."
+    exit 2
+  fi
+  run_pack_vectors "$folder" >/dev/null
+  run_package "$folder" >/dev/null
+  (run_sbom "$folder/$name.cdx.json") >/dev/null
+  git -C "$root" archive --prefix="$name/" --output="$folder/$name.tar.gz" HEAD
+  stage wheel "$build/wheel.log" "$(debian_python)" -m pip wheel --no-build-isolation --no-deps -w "$folder" "$root"
+  (tests=OFF; use_build static; build hmlfc_cli; cp "$build/tools/hmlfc" "$folder/$name-linux-$(uname -m)")
+  cp "$root/Containerfile" "$folder"
+  (cd "$folder" && rm ./*.sha256 && sha256sum -- [!S]* | tee SHA256SUMS)
+  say "Sign SHA256SUMS, tag this commit v$version, publish all of $folder with the tag, and the image of its Containerfile.
+Packages and wheel are for this release of Debian; $name-linux-$(uname -m) runs on any Linux."
+}
+
 # run_docs [FOLDER]: the reference of the API and the documents as a site.
 run_docs() {
   install_packages docs

@@ -6,6 +6,7 @@
 
 #include <hmlfc/encoder.hpp>
 
+#include "bits/exact_floats.hpp"
 #include "encoder/light_field_probe.hpp"
 #include "encoder/residual_decision.hpp"
 

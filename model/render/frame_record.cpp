@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "arithmetic/widths.hpp"
+#include "bits/exact_floats.hpp"
 
 namespace hmlfc {
 namespace {

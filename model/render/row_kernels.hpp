@@ -12,6 +12,7 @@
 
 #include <hmlfc/camera.hpp>
 
+#include "bits/exact_floats.hpp"
 #include "render/displaced_cells.hpp"
 #include "render/taps.hpp"
 

@@ -139,27 +139,14 @@ def check_c_program(installation, folder):
         assert done.returncode == 1 and done.stderr.startswith(message), done
 
 
-def check_line_decoder(installation):
-    """It passes vectors that must decode and such that must be refused."""
-    example = installation.prefix / "share" / "hmlfc" / "examples" / "line_decoder.py"
-    vectors = ["--suite", VECTORS, "--filter", "syntax/base-main", "--filter", "error/cut-*"]
-    report = installation.work / "lines"
-    installation.hmlfc("conform", "--dut", f"lines: python3 -B {example}", *vectors, "-o", report, code=5)
+def check_decoder(installation, name, dut, vector):
+    """An example of a decoder passes a vector that must decode and those that are cut, which must be refused."""
+    report = installation.work / name
+    chosen = ["--suite", VECTORS, "--filter", vector, "--filter", "error/cut-*", "-o", report]
+    installation.hmlfc("conform", "--dut", dut, *chosen, code=5)  # vectors were left out
     results = json.loads((report / "report.json").read_text())["runs"][0]["results"]
-    ran = {result["id"]: result["status"] for result in results if result["status"] != "skipped"}
-    assert len(ran) > 2 and set(ran.values()) == {"pass"}, ran
-
-
-def check_wrapper(installation, folder):
-    """It passes vectors that must decode and such that must be refused."""
-    library = folder / "libwrap_decoder.so"
-    vectors = ["--suite", VECTORS, "--filter", "real/cards-main", "--filter", "error/cut-*"]
-    incomplete = 5  # vectors were left out
-    installation.hmlfc("conform", "--dut", library, *vectors, "-o", folder / "report", code=incomplete)
-    report = json.loads((folder / "report" / "report.json").read_text())
-    passed = {result["id"] for result in report["runs"][0]["results"] if result["status"] == "pass"}
-    base = "syntax/base-main"  # of the latter
-    assert passed == {"real/cards-main", base, *(f"error/{file.stem}" for file in VECTORS.glob("error/cut-*.hmlfc"))}, passed
+    passed = {result["id"] for result in results if result["status"] == "pass"}
+    assert passed == {vector, "syntax/base-main", *(f"error/{file.stem}" for file in VECTORS.glob("error/cut-*.hmlfc"))}, passed
 
 
 def check_decode_unit(installation):
@@ -258,15 +245,30 @@ def check_wgsl(installation):
         assert all(name in names for name in imported), f"{module.name} imports {imported}"
 
 
+def check_alone(installation):
+    """As part of another project the library needs OpenJPEG alone: the same block and frame; it installs what it needs."""
+    options = ["-DCMAKE_BUILD_TYPE=None", "-DHMLFC_UNITY=ON", "-DHMLFC_WERROR=ON", f"-DHMLFC_SOURCE={ROOT}"]
+    hidden = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("TBB", "hwy", "tl-expected")]
+    folder = installation.build_examples("alone", *options, *hidden)
+    needed = run("readelf", "-d", folder / "decode_block")
+    assert "openjp2" in needed and "tbb" not in needed and "hwy" not in needed, needed
+    check_block(installation, folder / "decode_block")
+    check_frame(installation, folder)
+    run(installation.cmake, "--install", folder, "--prefix", folder / "prefix")
+    assert (folder / "prefix/include/tl/expected.hpp").is_file()
+
+
 def main():
     installation = Installation(*sys.argv[1:])
+    check_alone(installation)
     check_wgsl(installation)
     check_python(installation)
     check_suite(installation)
     check_documents(installation)
     check_decode_unit(installation)
     check_driver(installation)
-    check_line_decoder(installation)
+    line_decoder = installation.prefix / "share/hmlfc/examples/line_decoder.py"
+    check_decoder(installation, "lines", f"lines: python3 -B {line_decoder}", "syntax/base-main")
     check_components(installation)
     installation.check_headers()
     for name, options in {"static": (), "shared": ("-DBUILD_SHARED_LIBS=ON",)}.items():
@@ -276,7 +278,7 @@ def main():
         check_block(installation, folder / "decode_block")
     check_frame(installation, folder)
     check_c_program(installation, folder)
-    check_wrapper(installation, folder)
+    check_decoder(installation, "wrapped", folder / "libwrap_decoder.so", "real/cards-main")
     check_block(installation, installation.pkg_config_program("pkg_shared"))
     archive = ["-Wl,--whole-archive", installation.lib / "libhmlfc.a", "-Wl,--no-whole-archive"]
     check_block(installation, installation.pkg_config_program("pkg_static", *archive, static=["--static"]))

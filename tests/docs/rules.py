@@ -43,7 +43,7 @@ WORDS = rules(
 )
 
 COMMANDS = rules(
-    (r"\./run (demo|soak.*)", NAMED_ONLY, "runs for minutes"),
+    (r"\./run (demo|release|soak.*)", NAMED_ONLY, "runs for minutes"),
     (r"\./run (package|docs|sbom)", NAMED_ONLY, "tests of label release run it"),
     (r"\./run test( --require-all)?", NAMED_ONLY, "runs this test"),
     (r"(?:\./run test|ctest --test-dir \S+) (.*)", r"ctest --test-dir $BUILD -N \1 | grep 'Total Tests: [1-9]'", "lists the tests"),

@@ -60,6 +60,7 @@ ALLOWED = {
     "tools/python": {"tools/io", "tools/remote"},
     "tools/cli": APPLICATIONS - {"tools/view"},
     "tools/view": APPLICATIONS,
+    "fallback": {"model/bits", "model/encoder", "tools/io", "tools/remote"},
     "testbench/oracle": DECODER,
     "testbench/stimulus": {*DECODER, "testbench/oracle", "tools/scenes", "tools/vectors"},
     "testbench/unit": CHECKS,
