@@ -123,6 +123,9 @@ module hmlfc_reference_lines #(
 
   // 3: samples: of each row of the window those of both blocks in it, then one for each column. Row k of one of both
   // blocks serves all rows of the window but the last: of the upper one where k is not less than the first row's.
+  localparam logic [SELECT_BITS-1:0] IN_BLOCK = SELECT_BITS'(B - 1);
+  wire [SELECT_BITS-1:0] odd_x = SELECT_BITS'(first_2[0]) << BLOCK_LOG2;
+  wire [SELECT_BITS-1:0] odd_y = SELECT_BITS'(first_2[1]) << BLOCK_LOG2;
   logic [B-1:0] upper_x_2, upper_y_2;
   logic [2*B*B*SAMPLE_BITS-1:0] shared_rows;
   logic [SIDE*B*SAMPLE_BITS-1:0] shared_columns;
@@ -142,14 +145,14 @@ module hmlfc_reference_lines #(
       for (int k = 0; k < B; k++) begin
         rows[j*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] = rows[j*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] |
             (shared_rows[k*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] &
-             {2*B*SAMPLE_BITS{select_y_2[j*SELECT_BITS+:BLOCK_LOG2] == BLOCK_LOG2'(k)}});
+             {2*B*SAMPLE_BITS{(select_y_2[j*SELECT_BITS+:SELECT_BITS] & IN_BLOCK) == SELECT_BITS'(k)}});
       end
     end
     for (int y = 0; y < 2 * B; y++) begin
       for (int x = 0; x < 2 * B; x++) begin
         rows[(B*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] = rows[(B*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] |
             (blocks_2[((y/B)*2+(x/B))*LINE_BITS+((y%B)*B+x%B)*SAMPLE_BITS+:SAMPLE_BITS] &
-             {SAMPLE_BITS{(select_y_2[B*SELECT_BITS+:SELECT_BITS] ^ {first_2[1], BLOCK_LOG2'(0)}) == SELECT_BITS'(y)}});
+             {SAMPLE_BITS{(select_y_2[B*SELECT_BITS+:SELECT_BITS] ^ odd_y) == SELECT_BITS'(y)}});
       end
     end
     for (int j = 0; j < SIDE; j++) begin
@@ -161,13 +164,13 @@ module hmlfc_reference_lines #(
         for (int k = 0; k < B; k++) begin
           window[(j*SIDE+i)*SAMPLE_BITS+:SAMPLE_BITS] = window[(j*SIDE+i)*SAMPLE_BITS+:SAMPLE_BITS] |
               (shared_columns[(j*B+k)*SAMPLE_BITS+:SAMPLE_BITS] &
-               {SAMPLE_BITS{select_x_2[i*SELECT_BITS+:BLOCK_LOG2] == BLOCK_LOG2'(k)}});
+               {SAMPLE_BITS{(select_x_2[i*SELECT_BITS+:SELECT_BITS] & IN_BLOCK) == SELECT_BITS'(k)}});
         end
       end
       for (int x = 0; x < 2 * B; x++) begin
         window[(j*SIDE+B)*SAMPLE_BITS+:SAMPLE_BITS] = window[(j*SIDE+B)*SAMPLE_BITS+:SAMPLE_BITS] |
             (rows[(j*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] &
-             {SAMPLE_BITS{(select_x_2[B*SELECT_BITS+:SELECT_BITS] ^ {first_2[0], BLOCK_LOG2'(0)}) == SELECT_BITS'(x)}});
+             {SAMPLE_BITS{(select_x_2[B*SELECT_BITS+:SELECT_BITS] ^ odd_x) == SELECT_BITS'(x)}});
       end
     end
   end
@@ -196,8 +199,8 @@ module hmlfc_reference_lines #(
       {two_x_2, two_y_2, first_2} <= {two_x_1, two_y_1, row_1, column_1[0]};
       {select_x_2, select_y_2} <= {select_x_1, select_y_1};
       for (int k = 0; k < B; k++) begin
-        upper_x_2[k] <= BLOCK_LOG2'(k) >= select_x_1[BLOCK_LOG2-1:0];
-        upper_y_2[k] <= BLOCK_LOG2'(k) >= select_y_1[BLOCK_LOG2-1:0];
+        upper_x_2[k] <= SELECT_BITS'(k) >= (select_x_1[SELECT_BITS-1:0] & IN_BLOCK);
+        upper_y_2[k] <= SELECT_BITS'(k) >= (select_y_1[SELECT_BITS-1:0] & IN_BLOCK);
       end
       blocks_2 <= blocks_next;
       out_error <= error;

@@ -52,7 +52,7 @@ module hmlfc_window_axis #(
       if (step > left) step = left;
       step = step - outside;
       if (step[STEP_BITS-1]) step = '0;
-      places[i*SELECT_BITS+:SELECT_BITS] = SELECT_BITS'(first[BLOCK_LOG2-1:0]) + SELECT_BITS'(step);
+      places[i*SELECT_BITS+:SELECT_BITS] = (first[SELECT_BITS-1:0] & SELECT_BITS'(SIDE - 2)) + SELECT_BITS'(step);
     end
   end
   always_ff @(posedge clk) begin
