@@ -41,6 +41,14 @@ void soc_bus_write(uint32_t offset, uint32_t value) {
   want(WRITE);
 }
 
+void soc_clean(void* context, const void* from, size_t bytes) {
+  (void)context, (void)from, (void)bytes;
+}
+
+void soc_invalidate(void* context, const void* from, size_t bytes) {
+  (void)context, (void)from, (void)bytes;
+}
+
 void soc_sleep(unsigned clocks) {
   for (unsigned i = 0; i < clocks && !soc.irq; ++i) want(WAIT);
 }

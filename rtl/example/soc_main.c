@@ -107,11 +107,13 @@ static int decode(const struct hmlfc_stream* stream, unsigned row, unsigned col,
   if ((code = hmlfc_unit_give(&unit, &view)) != 0) return fail("the descriptor", code);
   if ((code = hmlfc_unit_wait(&unit, &status)) != 0) return fail("the view", code);
   if (status.result != HMLFC_DONE) return fail("the first error of a block", status.first_error);
+  soc_invalidate(NULL, picture.cpu, (size_t)pitch * stream->height);
   return out[0] == '\0' ? 0 : write_picture(out, &picture, pitch, stream);
 }
 
 int soc_main(const char* name, unsigned row, unsigned col, const char* out) {
-  const struct hmlfc_io io = {NULL, read_register, write_register, wait_for_unit, NULL, NULL};
+  const struct hmlfc_io io = {NULL, read_register, write_register, wait_for_unit,
+                              soc_clean, soc_invalidate};
   uint64_t free = PAGE;
   const struct hmlfc_buffer rings = allocate(&free, HMLFC_RINGS_BYTES(RING_SIZE));
   struct hmlfc_buffer file = {NULL, 0, 0};
