@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr int kClocksPerBit = 4;
+constexpr int kClocksPerBit = CLOCKS_PER_BIT;
 constexpr int kFrameBits = 10;
 constexpr int kResetClocks = 16;
 
