@@ -73,6 +73,7 @@ Measurements
   bench            [NAME [ARG...]]: run one benchmark; without NAME, list them
   synthesis        size TARGET [MODULE...]: size of the decode unit: ice40, ecp5, xc7, osu035;
                    speed [MODULE...]: its clock rate after place and route
+  fpga             [--seeds N]: a bitstream with the view unit for the board ULX3S; --help
 END
 }
 

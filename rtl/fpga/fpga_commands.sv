@@ -15,7 +15,7 @@
 // A CRC is CRC-32C; counts are not 0. `mem_rdata` is there in the clock after `mem_read`. The responses of registers
 // are taken in the clock in which they come.
 module fpga_commands #(
-    parameter int SIZE_LOG2 = 17
+    parameter int SIZE_LOG2 = 16
 ) (
     input logic clk,
     input logic rst_n,

@@ -12,7 +12,7 @@
 #include "hmlfc_driver.h"
 #include "soc_bus.h"
 
-enum { MEMORY_BYTES = 1 << 17, PIECE = 1024, LEAST_STATUS = 3 };
+enum { MEMORY_BYTES = 1 << 16, PIECE = 1024, LEAST_STATUS = 3 };
 
 static uint8_t memory[MEMORY_BYTES];
 static int port;

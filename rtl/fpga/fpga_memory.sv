@@ -6,7 +6,7 @@
 // Higher bits of an address are ignored. Bursts of reads pass one after the other, a beat a clock, and a manager that
 // waits for them keeps `rready` high; so do bursts of writes. `byte_rdata` is there in the clock after `byte_read`.
 module fpga_memory #(
-    parameter int SIZE_LOG2 = 17
+    parameter int SIZE_LOG2 = 16
 ) (
     input logic clk,
     input logic rst_n,

@@ -9,9 +9,9 @@
 //
 // `rst_n` is synchronous. `led`: 0 the unit needs its clock, 1 its interrupt, 2 and 3 the host sends and receives.
 module fpga_system #(
-    parameter int SIZE_LOG2 = 17,
+    parameter int SIZE_LOG2 = 16,
     parameter int CLOCKS_PER_BIT = 25,
-    parameter int BLOCK_LOG2 = 2
+    parameter int BLOCK_LOG2 = 1
 ) (
     input logic clk,
     input logic rst_n,

@@ -4,9 +4,9 @@
 // fpga_system on the board ULX3S, whose pins have the board's names: the board's clock of 25 MHz and its USB serial
 // port. The button FIRE1 resets; `wifi_gpio0` high keeps the board's other processor from configuring it anew.
 module ulx3s #(
-    parameter int SIZE_LOG2 = 17,
+    parameter int SIZE_LOG2 = 16,
     parameter int CLOCKS_PER_BIT = 25,
-    parameter int BLOCK_LOG2 = 2
+    parameter int BLOCK_LOG2 = 1
 ) (
     input logic clk_25mhz,
     input logic btn_fire1,

@@ -56,6 +56,7 @@ COMMANDS = rules(
     (r"(\./run rtl-random)( .*)?", HELP, "rtl_unit.Seed/Rtl runs the same on two seeds"),
     (r"(\./run rtl-bench)( .*)?", HELP, "testbench.rtl_bench runs it"),
     (r"(\./run synthesis)( (?:size|speed) .*)?", HELP, "rtl.speed measures a module; a whole run takes hours"),
+    (r"(\./run fpga)( .*)?", HELP, "portable.debian_13_fpga runs it"),
     (r"(\./run clauses) .*", HELP, "writes into the repository"),
     (r"\./run vectors generate", r"\g<0> -o made", "writes into the repository"),
     (r"\./run render .*--camera .*", r"\g<0> >said && ! grep outside said", "the example's frame is filled"),

@@ -32,6 +32,7 @@ TESTBENCH = {"rtl/driver", *(f"testbench/{name}" for name in ("oracle", "stimulu
 ALLOWED = {
     "rtl/driver": set(),
     "rtl/example": {"rtl/driver"},
+    "rtl/fpga": {"rtl/driver", "rtl/example"},
     "model/include": set(),
     "model/bits": set(),
     "model/arithmetic": {"model/bits"},

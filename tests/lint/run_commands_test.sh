@@ -46,6 +46,7 @@ expect 2 "./run: 'rtl-chek' is not a command; did you mean rtl-check[?]*" rtl-ch
 expect 2 $'./run: \'nonsense\' is not a command\nRun ./run --help for help' nonsense
 expect 0 '/build/tools/hmlfc synth --scene cards' synth --scene cards
 expect 0 "python3 -B $root/rtl/synth/report.py size ice40" synthesis size ice40
+expect 0 "*python3 -B $root/rtl/fpga/fpga.py --seeds 1" fpga --seeds 1
 expect 0 '/build/testbench/gpu_check FILE' gpu-check FILE
 expect 0 '/build/testbench/testbench check FILE' rtl-check FILE
 expect 0 '/build/testbench/testbench view FILE' rtl-view FILE

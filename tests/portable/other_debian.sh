@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# other_debian.sh x86_64|aarch64 SOURCE FOLDER: the commit of SOURCE in a clean Debian 13, made in FOLDER, one for each
-# processor. x86_64: ./run test. aarch64: cross-built; its unit tests, the suite and an encoding run in qemu-user.
+# other_debian.sh x86_64|aarch64|fpga SOURCE FOLDER: the commit of SOURCE in a clean Debian 13, made in FOLDER, one for each.
+# x86_64: ./run test; fpga: ./run fpga. aarch64: cross-built; its unit tests, the suite and an encoding run in qemu-user.
 set -euo pipefail
 processor=$1 source=$2 root=$3/$1
 
-# inside PROCESSOR: what runs there.
+# inside WHAT: what runs there.
 inside() {
   export DEBIAN_FRONTEND=noninteractive
   cd /root/hmlfc
-  if [[ $1 == x86_64 ]]; then
-    CI=true ./run test
+  if [[ $1 != aarch64 ]]; then
+    CI=true ./run "${1/x86_64/test}"
     return
   fi
   local root=$PWD name names packages=()
