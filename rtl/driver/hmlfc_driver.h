@@ -261,10 +261,10 @@ int hmlfc_unit_reset(struct hmlfc_unit* unit);
 void hmlfc_unit_set_watchdog(struct hmlfc_unit* unit, uint32_t clocks);
 
 /* Lets the unit read the stream, whose first byte has the address `stream_bus`, and the area, of at
- * least stream->area_bytes bytes; its address is a multiple of 16 and of a beat, that of the area of
- * 128. Up to 15 bytes and a beat past the end of the stream may be read. Returns the unit's error, such as
- * HMLFC_LIMIT_EXCEEDED for a stream that was not opened with unit->limits. Nothing may be under
- * way; descriptors that were given wait. */
+ * least stream->area_bytes bytes; its address is a multiple of 16 and of a beat, that of the area
+ * of 128. Up to 15 bytes and a beat past the end of the stream may be read. Returns the unit's
+ * error, such as HMLFC_LIMIT_EXCEEDED for a stream that was not opened with unit->limits. Nothing
+ * may be under way; descriptors that were given wait. */
 int hmlfc_unit_load(struct hmlfc_unit* unit, const struct hmlfc_stream* stream, uint64_t stream_bus,
                     const struct hmlfc_buffer* area);
 

@@ -13,8 +13,8 @@ size_t soc_memory_bytes(void);
 uint32_t soc_bus_read(uint32_t offset);
 void soc_bus_write(uint32_t offset, uint32_t value);
 
-/* Bring bytes of this memory to the unit, and bytes that it has written here (hmlfc_driver.h): for a
- * system in which both see the same memory, nothing. */
+/* Bring bytes of this memory to the unit, and bytes that it has written here (hmlfc_driver.h): for
+ * a system in which both see the same memory, nothing. */
 void soc_clean(void* context, const void* from, size_t bytes);
 void soc_invalidate(void* context, const void* from, size_t bytes);
 
