@@ -10,7 +10,7 @@
 
 namespace hmlfc::tb {
 
-/// A beat of the read master, low word first; with 64-bit data the second word is 0.
+/// A beat of the read master, low word first; words that it does not have are 0.
 using Beat = std::array<uint64_t, 4>;
 
 /// Every input of a unit but the clock. A unit ignores those that it does not have.
