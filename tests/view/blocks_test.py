@@ -177,14 +177,6 @@ class Blocks(IntoCase):
             cell = [int(left + x * scale) + 1, int(top + y * scale) + 1, int(scale) - 2, int(scale) - 2]
             self.assertEqual(len(set(self.browser.pixels("picture", *cell)[::3])) > 1, written, f"{scale} pixels a sample")
 
-    def test_clauses_have_their_text(self):
-        self.look(block="10,6")
-        self.browser.until("the block", lambda: self.browser.text("block"))
-        self.browser.page.find_element("xpath", "//button[.='IDX-4']").click()
-        text = self.browser.until("the clause", lambda: self.browser.text("clause-text"))
-        self.assertTrue(text.startswith("[IDX-4]"), text)
-        self.assertNotIn("[IDX-5]", text)
-
     def test_levels_show_ancestors(self):
         self.look("tree.hmlfc", levels="1", stage="sample", block="3,4")
         report = self.inspect((3, 4), "--levels", "1", file="tree.hmlfc")
@@ -282,6 +274,8 @@ class Blocks(IntoCase):
             at = 3 * (WIDTH * y + x)
             expected = tuple(max(0, min(255, 128 + 4 * (original[at + k] - made[at + k]))) for k in range(3))
             self.assertEqual(self.at(x, y), expected)
+        self.look("a.hmlfc", "--original", "views", stage="original")
+        self.assertEqual(self.at(40, 30), tuple(original[3 * (WIDTH * 30 + 40) :][:3]))
         self.look("a.hmlfc")
         self.assertEqual(self.browser.page.find_elements("css selector", "option[value=difference]"), [])
 

@@ -83,7 +83,7 @@ class Pixel(PageCase):
         self.command(40, 30)
         self.assertLessEqual(self.browser.script("return document.scrollingElement.scrollWidth"), 360)
         self.browser.page.find_element("xpath", "//*[@id='pixel']//button[.='SRF-3']").click()
-        self.browser.until("the clause", lambda: self.browser.text("clause-text").startswith("[SRF-3] *Displacement of a cell"))
+        self.browser.until("the clause", lambda: self.browser.text("clause-text").startswith("[SRF-3] Displacement of a cell"))
         self.browser.page.find_element("css selector", "#clause button").click()
         self.browser.page.find_element("xpath", "//*[@id='pixel']//caption[starts-with(., 'view')]/a").click()
         self.browser.until("its block", lambda: "Block x 10, y 7 of plane Y of view row 2, column 1" in self.browser.text("block"))

@@ -121,6 +121,12 @@ Response Blocks::picture(const Query& query) const {
   return picture_answer(decoded(stream_.for_blocks(), request));
 }
 
+Response Blocks::original(const Query& query) const {
+  const PlaneRequest request = read_plane_request(query, false);
+  stop_level(stream_.for_blocks(), request);
+  return picture_answer(original_of(stream_).view(*request.view));
+}
+
 Response Blocks::difference(const Query& query) const {
   const PlaneRequest request = read_plane_request(query, false, add_gain);
   const RgbImage image = decoded(stream_.for_blocks(), request);

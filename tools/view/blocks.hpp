@@ -24,6 +24,9 @@ class Blocks {
   /// The view in RGB, with all planes.
   Response picture(const Query& query) const;
 
+  /// The view of the original in RGB.
+  Response original(const Query& query) const;
+
   /// 128 + gain * (original - decoded) of the view; `gain` in [1, 64], 4 by default.
   Response difference(const Query& query) const;
 

@@ -93,6 +93,7 @@ Response Handler::answer_get(std::string_view path, const Query& query) {
   if (path == "focus") return frames_.focus(query);
   if (path == "trace") return frames_.trace(query);
   if (path == "picture") return blocks_.picture(query);
+  if (path == "original") return blocks_.original(query);
   if (path == "difference") return blocks_.difference(query);
   if (path == "stage") return blocks_.stage(query);
   if (path == "blocks") return blocks_.blocks(query);

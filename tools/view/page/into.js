@@ -1,11 +1,14 @@
 // Look into: any view at any level, its blocks and their fields.
 import { askJson } from "./ask.js";
+import { offerCsv } from "./block_csv.js";
 import { BlockCanvas } from "./block_canvas.js";
 import { addOther, showBlock } from "./block_panel.js";
-import { any, canvas, input, numberIn, say, select } from "./dom.js";
+import { any, canvas, element, input, numberIn, say, select } from "./dom.js";
+import { prepareFind } from "./find.js";
 import { GridMap } from "./grid_map.js";
 import { overlayOf, showLegend, STATES } from "./overlays.js";
 import { PlanePictures } from "./plane_pictures.js";
+import { prepareSplitBar } from "./split_bar.js";
 import { sampleAt } from "./stage_picture.js";
 import { showTotals } from "./totals.js";
 
@@ -62,7 +65,7 @@ export class Into {
     any("into-levels-label").hidden = this.all === 1;
     for (const list of [select("stage"), select("overlay")]) {
       for (const option of [...list.options]) {
-        if (["difference", "psnr"].includes(option.value) && !this.stream.original) option.remove();
+        if (["original", "difference", "psnr"].includes(option.value) && !this.stream.original) option.remove();
         if (option.value.startsWith("dut") && !this.stream.dut) option.remove();
         option.text = option.text.replace("the decoder under test", this.stream.dut);
       }
@@ -89,6 +92,9 @@ export class Into {
       });
     }
     any("totals").addEventListener("toggle", () => void showTotals(), { once: true });
+    any("save-csv").addEventListener("click", () => offerCsv(element("save-csv", HTMLAnchorElement), this.blocks));
+    prepareFind((words) => this.stepToError(1, words));
+    prepareSplitBar("split");
   }
 
   /** @param {string} key */
@@ -121,16 +127,18 @@ export class Into {
   }
 
   /**
-   * To the next block with an error in this plane, or to the one before.
-   * @param {1 | -1} by
+   * To the next block with an error that has these words in this plane, or to the one before; false where there is none.
+   * @param {1 | -1} by @param {string} words
    */
-  stepToError(by) {
+  stepToError(by, words = "") {
     const { columns, errors } = this.blocks ?? { columns: 1, errors: [] };
-    const numbers = errors.map((/** @type {[number, string]} */ [number]) => number).sort((/** @type {number} */ a, /** @type {number} */ b) => by * (a - b));
-    if (numbers.length === 0) return;
+    const numbers = errors.filter((/** @type {[number, string]} */ [, text]) => text.includes(words))
+      .map((/** @type {[number, string]} */ [number]) => number).sort((/** @type {number} */ a, /** @type {number} */ b) => by * (a - b));
+    if (numbers.length === 0) return false;
     const [x, y] = this.place.block ?? [-1, 0];
     const next = numbers.find((/** @type {number} */ number) => by * (number - (y * columns + x)) > 0) ?? numbers[0];
     this.change({ block: [next % columns, Math.floor(next / columns)] });
+    return true;
   }
 
   /** @param {Partial<Place>} changes */

@@ -49,12 +49,12 @@ export class PlanePictures {
 
   /**
    * The picture of a stage.
-   * @param {string} stage "picture", a stage of inspect, or a difference
+   * @param {string} stage "picture", "original", a stage of inspect, or a difference
    * @param {Query} plane with the plane @param {any} blocks what the server says of it @returns {Promise<Picture>}
    */
   async stage(stage, plane, blocks) {
     const { plane: name, ...view } = plane;
-    if (stage === "picture" || stage === "dut-picture") return { shown: await this.rgb(stage, view), samples: null };
+    if (["picture", "original", "dut-picture"].includes(stage)) return { shown: await this.rgb(stage, view), samples: null };
     if (stage.endsWith("difference")) return { shown: await this.rgb(stage, { ...view, gain: 4 }), samples: null };
     const samples = await this.once("stage", { ...plane, stage }, askSamples);
     const signed = name !== "Y" || stage === "residual";
