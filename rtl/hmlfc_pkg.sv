@@ -2,7 +2,7 @@
 // Types that the modules of the decode unit share. Field names are those of the specification.
 package hmlfc_pkg;
 
-  localparam int VIEWS = 8;          // views held, a power of two
+  localparam int VIEWS = 16;         // views held, a power of two; half of them where a tree has over four levels
   localparam int VIEW_BITS = $clog2(VIEWS);
   localparam int LEVELS = 8;         // levels of a tree this unit takes: tree_height <= 7
   localparam int ADDRESS_BITS = 40;  // byte addresses of the read master

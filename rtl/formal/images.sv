@@ -18,13 +18,20 @@ module prove_images #(
   logic [hmlfc_pkg::TILE_BITS-1:0] disparity_tile;
   logic [hmlfc_pkg::IMAGE_REFERENCES_BITS-1:0] references;
   logic [2*hmlfc_pkg::GRID_BITS-1:0] place;
-  hmlfc_images #(.TRACE(TRACE)) dut (
-    .clk(clk), .write(write), .write_id(write_id), .write_image(write_image), .tiles_id(tiles_id), .tiles(tiles),
-    .disparity_id(disparity_id), .disparity_tile(disparity_tile), .references_id(references_id),
-    .references(references), .place_id(place_id), .place(place));
-
   // The entry that is watched.
   (* anyconst *) logic [hmlfc_pkg::VIEW_BITS+2:0] id;
+  (* anyconst *) logic shallow;  // levels 0 to 3, or the first half of the views
+  localparam integer VIEW_BIT = hmlfc_pkg::VIEW_BITS + 2;
+  always @* begin
+    assume (!(shallow ? write_id[2] : write_id[VIEW_BIT]) && !(shallow ? tiles_id[2] : tiles_id[VIEW_BIT]));
+    assume (!(shallow ? disparity_id[2] : disparity_id[VIEW_BIT]) && !(shallow ? id[2] : id[VIEW_BIT]));
+    assume (!(shallow ? references_id[2] : references_id[VIEW_BIT]) && !(shallow ? place_id[2] : place_id[VIEW_BIT]));
+  end
+  hmlfc_images #(.TRACE(TRACE)) dut (
+    .clk(clk), .shallow(shallow), .write(write), .write_id(write_id), .write_image(write_image), .tiles_id(tiles_id),
+    .tiles(tiles), .disparity_id(disparity_id), .disparity_tile(disparity_tile), .references_id(references_id),
+    .references(references), .place_id(place_id), .place(place));
+
   logic is_written = 1'b0;
   logic [hmlfc_pkg::IMAGE_BITS-1:0] written;
   assign image = written;

@@ -58,8 +58,10 @@ module prove_requests #(
   (* hierconn *) wire [64:0] \dut.waiting.storage.words[1] ;
   (* hierconn *) wire \dut.rgb ;
   (* hierconn *) wire \dut.of_residuals ;
-  (* hierconn *) wire \dut.hit ;
   (* hierconn *) wire [5:0] \dut.error ;
+  (* hierconn *) wire [$clog2(VIEWS)-1:0] \dut.hit_slot ;
+  (* hierconn *) wire \dut.any_hit ;
+  (* hierconn *) wire [5:0] \dut.next_error ;
   (* hierconn *) wire [2:0] \dut.level ;
   (* hierconn *) wire [2:0] \dut.first_level ;
   (* hierconn *) wire [3:0] \dut.now_stop ;
@@ -124,14 +126,14 @@ module prove_requests #(
       if (\dut.busy ) assert (\dut.last == lasts[0]);
       if (\dut.next_valid ) assert (\dut.next_last == lasts[\dut.busy ] && stored_first == lasts[\dut.busy ]);
       if (\dut.waiting.count == 2) assert (stored_second == lasts[{1'b0, \dut.busy } + 2'd1]);
-      if (\dut.working ) assert (\dut.busy && !job_valid && !\dut.held [\dut.slot ] && working_view == now_view);
+      if (\dut.working ) assert (\dut.next_valid && \dut.next_error == 0 && !\dut.any_hit && !\dut.held [\dut.slot ] &&
+          working_view == now_view);
       if (\dut.busy ) assert (\dut.now_plane != 3);
       if (\dut.busy && \dut.error == 0) begin
         assert (stop <= {1'b0, tree_height});
-        if (\dut.hit ) assert (level >= stop && level <= first_level && first_level <= {1'b0, tree_height});
-        if (!\dut.hit ) assert (!\dut.begun && !same_plane);
-        if (\dut.of_residuals ) assert (!\dut.rgb && (!\dut.hit || first_level == stop));
-        for (int i = 0; i < VIEWS; i++) if (!\dut.hit && \dut.held [i]) assert (held_views[20*i+:20] != now_view);
+        assert (level >= stop && level <= first_level && first_level <= {1'b0, tree_height});
+        if (\dut.of_residuals ) assert (!\dut.rgb && first_level == stop);
+        assert (\dut.held [\dut.hit_slot ]);  // no view takes the place of one whose jobs leave
       end
       if (job_valid) begin
         assert (\dut.busy && job.tlast == lasts[0]);
@@ -148,7 +150,7 @@ module prove_requests #(
       end
       if (\dut.busy && same_plane)
         assert (\dut.begun && level == above && above >= stop && above < {1'b0, tree_height});
-      if (\dut.busy && !same_plane) assert (!\dut.begun && (\dut.error != 0 || !\dut.hit || level == first_level));
+      if (\dut.busy && !same_plane) assert (!\dut.begun && (\dut.error != 0 || level == first_level));
       if (!\dut.busy ) assert (!same_plane);
     end
   end

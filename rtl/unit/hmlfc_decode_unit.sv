@@ -272,9 +272,10 @@ module hmlfc_decode_unit #(
 
   logic [hmlfc_pkg::GRID_BITS-1:0] done_row, done_col;
   hmlfc_images #(.TRACE(TRACE)) images (
-      .clk, .write(image_write), .write_id({view_slot, image_level}), .write_image(view_image), .tiles_id(job.id),
-      .tiles(ask_image), .disparity_id, .disparity_tile(disparity_first_tile), .references_id(flow.job.id),
-      .references(reference_image), .place_id(done_pending.job.id), .place({done_row, done_col})
+      .clk, .shallow(stream.tree_height < 3'd4), .write(image_write), .write_id({view_slot, image_level}),
+      .write_image(view_image), .tiles_id(job.id), .tiles(ask_image), .disparity_id,
+      .disparity_tile(disparity_first_tile), .references_id(flow.job.id), .references(reference_image),
+      .place_id(done_pending.job.id), .place({done_row, done_col})
   );
 
   if (TRACE != 0) begin : g_trace

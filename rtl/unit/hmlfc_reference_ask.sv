@@ -66,10 +66,13 @@ module hmlfc_reference_ask #(
       in_flow.job.plane == 2'd1 ? ADDRESS_BITS'(stream.luma_bytes) :
           ADDRESS_BITS'(stream.luma_bytes) + ADDRESS_BITS'(stream.chroma_bytes);
 
-  // Stage 1: what K0 to K3 are.
-  wire [4*ADDRESS_BITS-1:0] addresses = {image.address_3, image.address_2, image.address_1, image.address_0};
-  wire [4*28-1:0] steps = {
-    image.cols_3, image.rows_3, image.cols_2, image.rows_2, image.cols_1, image.rows_1, image.cols_0, image.rows_0
+  // Stage 1: what K0 to K3 are. At powers of two a selection takes no multiplier.
+  wire [4*64-1:0] addresses = {
+    64'(image.address_3), 64'(image.address_2), 64'(image.address_1), 64'(image.address_0)
+  };
+  wire [4*32-1:0] steps = {
+    4'd0, image.cols_3, image.rows_3, 4'd0, image.cols_2, image.rows_2, 4'd0, image.cols_1, image.rows_1,
+    4'd0, image.cols_0, image.rows_0
   };
   wire [1:0] k_own = motion ? k_first : 2'd0;  // a key image's own samples are those of K0
 
@@ -87,8 +90,8 @@ module hmlfc_reference_ask #(
 
   always_ff @(posedge clk) begin
     if (advance) begin
-      steps_a <= steps[32'(k_first)*28+:28];
-      steps_b <= steps[32'(k_second)*28+:28];
+      steps_a <= steps[32'(k_first)*32+:28];
+      steps_b <= steps[32'(k_second)*32+:28];
       disparity <= in_flow.motion.choice == 4'd10 ? 13'($signed(in_flow.motion.explicit_x)) : in_flow.disparity;
       explicit_mode <= in_flow.motion.choice == 4'd11 || !motion;
       explicit_x <= motion ? in_flow.motion.explicit_x : 12'd0;
@@ -99,8 +102,8 @@ module hmlfc_reference_ask #(
         in_flow.job, key && in_flow.job.error == 0, motion && image.keyed, motion, motion && in_flow.motion.negative,
         motion && two, in_has_residual, in_residual
       };
-      base_a <= addresses[32'(k_own)*ADDRESS_BITS+:ADDRESS_BITS];
-      base_b <= addresses[32'(k_second)*ADDRESS_BITS+:ADDRESS_BITS];
+      base_a <= addresses[32'(k_own)*64+:ADDRESS_BITS];
+      base_b <= addresses[32'(k_second)*64+:ADDRESS_BITS];
       offset_1 <= offset;
       planes <= {planes[(STAGES-2)*2*ADDRESS_BITS-1:0], base_a + offset_1, base_b + offset_1};
       valid <= {valid[STAGES-1:1], in_valid};

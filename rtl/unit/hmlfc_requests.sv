@@ -7,10 +7,10 @@
 //
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
 // LOAD, becomes one job that carries the error. Views are worked out when they are not held: the table keeps VIEWS of
-// them, and the oldest makes room as soon as none of its blocks is in flight. For RGB the chroma blocks are omitted
-// where the previous request for RGB decoded them, but not where they met a bus error. A request for residuals is one
-// job, of its stop level. Up to two requests wait; the first of them is checked and looked up while jobs of the one
-// before leave.
+// them, half as many where the tree has more than four levels, and the oldest makes room as soon as none of its blocks
+// is in flight. For RGB the chroma blocks are omitted where the previous request for RGB decoded them, but not where
+// they met a bus error. A request for residuals is one job, of its stop level. Up to two requests wait; the first of
+// them is checked and looked up, and its view worked out, while jobs of the one before leave.
 module hmlfc_requests #(
     parameter int VIEWS = hmlfc_pkg::VIEWS,  // at most hmlfc_pkg::VIEWS
     localparam int VIEW_BITS = $clog2(VIEWS)
@@ -45,7 +45,8 @@ module hmlfc_requests #(
 
   localparam int LEVELS = hmlfc_pkg::LEVELS;
 
-  // The next request: checked, and its view looked up. It passes when the jobs of the previous one are done.
+  // The next request: checked, and its view looked up, or worked out. It passes when its view is held and the jobs of
+  // the previous one are done.
   logic next_valid, next_last, next_ready, waiting_ready;
   logic [63:0] next;
   hmlfc_fifo #(
@@ -80,11 +81,13 @@ module hmlfc_requests #(
   // Views that are held.
   logic [VIEWS-1:0] held;
   logic [VIEW_BITS-1:0] slot;  // of the latest
-  wire [VIEW_BITS-1:0] oldest = slot + 1'b1;
+  wire [VIEW_BITS-1:0] following = slot + 1'b1;
+  wire [VIEW_BITS-1:0] oldest = {following[VIEW_BITS-1] && stream.tree_height < 3'd4, following[VIEW_BITS-2:0]};
   logic [VIEWS*10-1:0] held_rows, held_cols;
   logic [VIEWS*LEVELS-1:0] held_keys;
   logic [VIEWS*10-1:0] users;
   logic any_hit;
+  logic [VIEWS-1:0] used;  // by blocks in flight
   logic [VIEW_BITS-1:0] next_slot;
   logic [LEVELS-1:0] next_keys;
   always_comb begin
@@ -92,6 +95,7 @@ module hmlfc_requests #(
     next_slot = '0;
     next_keys = '0;
     for (int i = 0; i < VIEWS; i++) begin
+      used[i] = users[i*10+:10] != 0;
       if (held[i] && held_rows[i*10+:10] == row[9:0] && held_cols[i*10+:10] == col[9:0]) begin
         any_hit = 1'b1;
         next_slot = VIEW_BITS'(i);
@@ -117,7 +121,7 @@ module hmlfc_requests #(
   wire [SITE_BITS-1:0] site = {row[9:0], col[9:0], chroma_bx, chroma_by, stop};
 
   // The request that is turned into jobs: plane and level run on while it lasts.
-  logic busy, last, rgb, of_residuals, hit, chroma_left_out;
+  logic busy, last, rgb, of_residuals, chroma_left_out;
   logic [VIEW_BITS-1:0] hit_slot;
   logic [5:0] error;
   logic [3:0] now_stop;
@@ -129,12 +133,14 @@ module hmlfc_requests #(
   wire ends_plane = error != 0 || 4'(level) == now_stop;
   wire ends_request = ends_plane && (error != 0 || !rgb || now_plane == 2'd2 || (now_plane == 2'd0 && chroma_left_out));
 
+  wire [5:0] next_error = load_error != 0 ? load_error : there ? 6'd0 : 6'(HMLFC_ERROR_BAD_REQUEST);
   logic working;
-  assign view_start = busy && error == 0 && !hit && !working && users[32'(oldest)*10+:10] == 0;
-  assign view_row = now_site[SITE_BITS-1-:10];
-  assign view_col = now_site[SITE_BITS-11-:10];
+  assign view_start = next_valid && next_error == 0 && !any_hit && !working && !used[oldest] &&
+      !(busy && error == 0 && hit_slot == oldest);
+  assign view_row = row[9:0];
+  assign view_col = col[9:0];
 
-  assign job_valid = busy && (error != 0 || hit);
+  assign job_valid = busy;
   always_comb begin
     job = '0;
     job.id = (hmlfc_pkg::VIEW_BITS + 3)'({hit_slot, level});
@@ -156,18 +162,17 @@ module hmlfc_requests #(
     end
   end
   wire emit = job_valid && job_ready;
-  assign next_ready = !busy || (emit && ends_request);
+  wire passes = any_hit || next_error != 0;
+  assign next_ready = passes && (!busy || (emit && ends_request));
   wire pass = next_valid && next_ready;
   wire [2:0] next_level = residuals ? stop[2:0] : first_level_of(next_keys, stop, stream.tree_height);
-  wire [2:0] view_level = of_residuals ? now_stop[2:0] : first_level_of(view_keys, now_stop, stream.tree_height);
 
   always_ff @(posedge clk) begin
     if (pass) begin
       last <= next_last;
       rgb <= plane == 2'd3;
       of_residuals <= residuals;
-      error <= load_error != 0 ? load_error : there ? 6'd0 : HMLFC_ERROR_BAD_REQUEST;
-      hit <= any_hit;
+      error <= next_error;
       hit_slot <= next_slot;
       first_level <= next_level;
       level <= next_level;
@@ -193,19 +198,14 @@ module hmlfc_requests #(
       slot <= oldest;
       view_slot <= oldest;
       held[oldest] <= 1'b0;
-      held_rows[32'(oldest)*10+:10] <= view_row;
-      held_cols[32'(oldest)*10+:10] <= view_col;
     end
     if (view_done) begin
       working <= 1'b0;
       held[slot] <= 1'b1;
-      held_keys[32'(slot)*LEVELS+:LEVELS] <= view_keys;
-      hit <= 1'b1;
-      hit_slot <= slot;
-      first_level <= view_level;
-      level <= view_level;
     end
     for (int i = 0; i < VIEWS; i++) begin
+      if (view_start && oldest == VIEW_BITS'(i)) {held_rows[i*10+:10], held_cols[i*10+:10]} <= {view_row, view_col};
+      if (view_done && slot == VIEW_BITS'(i)) held_keys[i*LEVELS+:LEVELS] <= view_keys;
       users[i*10+:10] <= users[i*10+:10] + 10'(emit && job.id[3+:VIEW_BITS] == VIEW_BITS'(i)) -
           10'(finished_valid && finished_slot == VIEW_BITS'(i));
     end
@@ -215,7 +215,7 @@ module hmlfc_requests #(
       slot <= '0;
       users <= '0;
     end else begin
-      busy <= next_valid || !next_ready;
+      busy <= pass || (busy && !(emit && ends_request));
     end
     if (!rst_n || flush) held <= '0;
     if (!rst_n || flush || chroma_spoiled) chroma_held <= 1'b0;

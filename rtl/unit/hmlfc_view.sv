@@ -5,7 +5,7 @@
 // are (DEC-1, STR-1, STR-3, STR-4, EXT-3, EXT-4, MOT-7, IDX-1).
 //
 // `start` takes an existing view; for each level from 0 to tree_height `write` gives the entry of the table of images
-// of level `write_level`: 24 clocks each, or 36 with balanced groups, and 4 more for the last; `done` is high for one
+// of level `write_level`: 19 clocks each, or 26 with balanced groups, and 4 more for the last; `done` is high for one
 // clock when all are written and `keys` holds: bit l: the image of level l is a key image (STR-5).
 //
 // Six addresses of a level go through one pipeline, one a clock: of the four reference images, of the image's first

@@ -99,8 +99,12 @@ module hmlfc_strip_collect #(
   wire begins = place_2[1:0] == 2'd0;
   wire signed [15:0] least_2 = least[16*place_2[3:2]+:16], most_2 = most[16*place_2[3:2]+:16];
   always_ff @(posedge clk) begin
-    if (valid[2] && (begins || low_2 < least_2)) least[16*place_2[3:2]+:16] <= low_2;
-    if (valid[2] && (begins || high_2 > most_2)) most[16*place_2[3:2]+:16] <= high_2;
+    for (int i = 0; i < 4; i++) begin
+      if (valid[2] && place_2[3:2] == 2'(i)) begin
+        if (begins || low_2 < least_2) least[16*i+:16] <= low_2;
+        if (begins || high_2 > most_2) most[16*i+:16] <= high_2;
+      end
+    end
     if (complete && leaves) begin
       out_samples <= samples;
       out_least <= least;

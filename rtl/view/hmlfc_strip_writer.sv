@@ -74,12 +74,11 @@ module hmlfc_strip_writer #(
   assign word_ready = !line_valid && strip_waits;
   wire put = word_valid && word_ready;
   always_ff @(posedge clk) begin
-    if (put) begin
-      line <= place[ADDRESS_BITS-4:3];
-      line_data[64*place[2:0]+:64] <= word;
+    if (put) line <= place[ADDRESS_BITS-4:3];
+    for (int i = 0; i < 8; i++) begin
+      if (put && place[2:0] == 3'(i)) {line_data[64*i+:64], line_strobe[8*i+:8]} <= {word, 8'hff};
     end
     if (line_valid && line_ready) line_strobe <= '0;
-    else if (put) line_strobe[8*place[2:0]+:8] <= 8'hff;
     if (!rst_n) begin
       line_valid <= 1'b0;
       line_strobe <= '0;
