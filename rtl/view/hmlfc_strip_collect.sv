@@ -5,7 +5,10 @@
 // quarter of a strip.
 //
 // A block with `in_status` has the samples status - 2^15. After the last block of a strip its first sample is repeated
-// until the strip has 64. A strip comes out whole: sample i in bits 16 * i up.
+// until the strip has 64. A strip comes out whole: `out_valid` with what is known of it, until `out_ready`; bit i of
+// `out_errors` says that its quartet i is of a block with a status. Its samples are read after that: quartet
+// `read_quartet`, sample i in bits 16 * i up, is at `read_samples` a clock after `read`, and stays there until the next.
+// With `read_ends` the strip is done. Two strips are held.
 module hmlfc_strip_collect #(
     parameter int BLOCK_LOG2 = 2,
     localparam int BLOCK_BITS = 16 << (2 * BLOCK_LOG2)
@@ -21,9 +24,13 @@ module hmlfc_strip_collect #(
 
     output logic out_valid,
     input logic out_ready,
-    output logic [1023:0] out_samples,
     output logic [4*16-1:0] out_least,
     output logic [4*16-1:0] out_most,
+    output logic [15:0] out_errors,
+    input logic read,
+    input logic [3:0] read_quartet,
+    output logic [63:0] read_samples,
+    input logic read_ends,
     output logic empty
 );
 
@@ -69,15 +76,21 @@ module hmlfc_strip_collect #(
   logic [2:1] valid, finishes;
   logic [3:0] place_1, place_2;
   logic signed [15:0] low_0, low_1, high_0, high_1, low_2, high_2;
-  logic [1023:0] samples;
+  logic [15:0] errors;
   logic complete;  // a strip waits to leave
+  logic writing, reading;  // the half of the memory
+  logic [1:0] used;
   wire leaves = !out_valid || out_ready;
   wire stop = complete && !leaves;
-  wire busy = finishes[1] || finishes[2] || complete;  // the samples are those of a whole strip
-  assign put = (held || filling) && !busy;
+  wire busy = finishes[1] || finishes[2] || complete;  // least and most are those of a whole strip
+  assign put = (held || filling) && !busy && !used[writing];
+  hmlfc_ram #(.WIDTH(64), .DEPTH(32)) samples (
+      .clk, .write(put), .write_address({writing, place}), .write_data(four), .read,
+      .read_address({reading, read_quartet}), .read_data(read_samples)
+  );
   wire signed [15:0] s0 = four[15:0], s1 = four[31:16], s2 = four[47:32], s3 = four[63:48];
   always_ff @(posedge clk) begin
-    if (put) samples <= {four, samples[1023:64]};
+    if (put) errors <= {four[15:14] == 2'b10, errors[15:1]};
     low_0 <= s0 < s1 ? s0 : s1;
     high_0 <= s0 < s1 ? s1 : s0;
     low_1 <= s2 < s3 ? s2 : s3;
@@ -89,7 +102,13 @@ module hmlfc_strip_collect #(
       valid <= '0;
       finishes <= '0;
       complete <= 1'b0;
+      {writing, reading, used} <= '0;
     end else begin
+      writing <= writing ^ (put && last_of_strip);
+      reading <= reading ^ read_ends;
+      for (int i = 0; i < 2; i++) begin
+        used[i] <= (used[i] || (put && last_of_strip && writing == 1'(i))) && !(read_ends && reading == 1'(i));
+      end
       valid <= {valid[1], put};
       finishes <= {finishes[1], put && last_of_strip};
       complete <= finishes[2] || stop;
@@ -106,14 +125,14 @@ module hmlfc_strip_collect #(
       end
     end
     if (complete && leaves) begin
-      out_samples <= samples;
+      out_errors <= errors;
       out_least <= least;
       out_most <= most;
     end
     if (!rst_n) out_valid <= 1'b0;
     else out_valid <= complete || (out_valid && !out_ready);
   end
-  assign empty = !held && !filling && !busy && place == 0 && valid == 0 && !out_valid;
+  assign empty = !held && !filling && !busy && place == 0 && valid == 0 && !out_valid && used == 0;
 
 endmodule
 

@@ -4,17 +4,21 @@
 // Packs strips of 64 samples (docs/decode_unit.md, "The reference area"): width and base of each quarter, then the
 // samples, four a clock.
 //
-// A strip comes out as words of 64 bits in order; `out_last` with its last one. A sample below -2^14 says that its block
-// is an error: such a quarter has width 15.
+// A strip comes out as words of 64 bits in order; `out_last` with its last one. A quarter with a sample below -2^14,
+// which says that its block is an error, has width 15. Samples are read from hmlfc_strip_collect.
 module hmlfc_strip_pack (
     input logic clk,
     input logic rst_n,
 
     input logic in_valid,
     output logic in_ready,
-    input logic [1023:0] in_samples,
     input logic [4*16-1:0] in_least,
     input logic [4*16-1:0] in_most,
+    input logic [15:0] in_errors,
+    output logic read,
+    output logic [3:0] read_quartet,
+    input logic [63:0] samples,
+    output logic read_ends,
 
     output logic out_valid,
     input logic out_ready,
@@ -30,8 +34,8 @@ module hmlfc_strip_pack (
   // ---- The strip: its four widths, one a clock, then its head, then its samples.
   typedef enum logic [1:0] {IDLE, WIDTHS, HEAD, SAMPLES} state_t;
   state_t state;
-  logic [1023:0] samples;
   logic [63:0] least, most;
+  logic [15:0] errors;
   logic [79:0] heads;
   logic [5:0] widths;  // their sum: a strip has 80 bits and 16 for each
   logic [3:0] quartet;
@@ -39,28 +43,29 @@ module hmlfc_strip_pack (
   wire [13:0] span = most[13:0] - least[13:0];
   wire poisoned = least[15:14] == 2'b10;
   logic [3:0] needed;
-  logic [3:0] errors;
   always_comb begin
     needed = '0;
     for (int i = 0; i < 14; i++) if (span[i]) needed = 4'(i + 1);
-    for (int i = 0; i < 4; i++) errors[i] = samples[256*32'(quarter)+64*i+14+:2] == 2'b10;
   end
   wire last = state == SAMPLES && quartet == 4'd15;
   assign in_ready = state == IDLE;
+  assign read = shift && (state == HEAD || (state == SAMPLES && !last));
+  assign read_quartet = state == HEAD ? 4'd0 : quartet + 4'd1;
+  assign read_ends = shift && last;
   always_ff @(posedge clk) begin
     if (in_valid && in_ready) begin
-      {samples, least, most} <= {in_samples, in_least, in_most};
+      {errors, least, most} <= {in_errors, in_least, in_most};
       {quartet, quarter, widths} <= '0;
     end
     if (state == WIDTHS) begin
-      heads <= {poisoned ? {12'd0, errors} : least[15:0], poisoned ? 4'd15 : needed, heads[79:20]};
+      heads <= {poisoned ? {12'd0, errors[3:0]} : least[15:0], poisoned ? 4'd15 : needed, heads[79:20]};
       widths <= widths + (poisoned ? 6'd14 : {2'd0, needed});
       least <= least >> 16;
       most <= most >> 16;
+      errors <= errors >> 4;
       quarter <= quarter + 2'd1;
     end
     if (state == SAMPLES && shift) begin
-      samples <= samples >> 64;
       quartet <= quartet + 4'd1;
       if (quartet[1:0] == 2'd3) heads <= heads >> 20;
     end

@@ -54,18 +54,20 @@ module hmlfc_strip_writer #(
   );
 
   // ---- Strips, and their words.
-  logic collect_empty, strip_valid, strip_ready, pack_empty;
-  logic [1023:0] samples;
+  logic collect_empty, strip_valid, strip_ready, pack_empty, read, read_ends;
+  logic [3:0] read_quartet;
+  logic [63:0] samples;
   logic [4*16-1:0] least, most;
+  logic [15:0] errors;
   hmlfc_strip_collect #(.BLOCK_LOG2(BLOCK_LOG2)) collect (
       .clk, .rst_n, .in_valid(take), .in_ready(collect_ready), .in_samples(answer), .in_status(answer_status),
-      .in_ends(strip_ends), .out_valid(strip_valid), .out_ready(strip_ready), .out_samples(samples),
-      .out_least(least), .out_most(most), .empty(collect_empty)
+      .in_ends(strip_ends), .out_valid(strip_valid), .out_ready(strip_ready), .out_least(least), .out_most(most),
+      .out_errors(errors), .read, .read_quartet, .read_samples(samples), .read_ends, .empty(collect_empty)
   );
   hmlfc_strip_pack pack (
-      .clk, .rst_n, .in_valid(strip_valid), .in_ready(strip_ready), .in_samples(samples), .in_least(least),
-      .in_most(most), .out_valid(word_valid), .out_ready(word_ready), .out_word(word), .out_last(word_last),
-      .empty(pack_empty)
+      .clk, .rst_n, .in_valid(strip_valid), .in_ready(strip_ready), .in_least(least), .in_most(most),
+      .in_errors(errors), .read, .read_quartet, .samples, .read_ends, .out_valid(word_valid), .out_ready(word_ready),
+      .out_word(word), .out_last(word_last), .empty(pack_empty)
   );
 
   // ---- Words in their line, which leaves with its last word or that of the strip.

@@ -132,16 +132,18 @@ module hmlfc_view_rows #(
     else if (packed_ready) packed_valid <= held;
   end
 
-  // ---- The row in its line.
+  // ---- The row in its line. Bytes without a strobe may be anything: the line repeats what the row turns in.
+  localparam int TURN_LOG2 = BLOCK_LOG2 + 3;  // of its bytes
+  localparam int TURN_BITS = 8 << TURN_LOG2;
   logic [63:0] row_strobe, turned_strobe, below_start;
-  logic [1023:0] twice;
+  logic [2*TURN_BITS-1:0] twice;
   logic [127:0] twice_strobe;
   always_comb begin
     for (int i = 0; i < 64; i++) begin
       row_strobe[i] = 6'(i) < packed_size;
       below_start[i] = 6'(i) < {packed_address[5:BLOCK_LOG2], BLOCK_LOG2'(0)};
     end
-    twice = {512'd0, (512)'(packed_bytes)} << {packed_address[5:BLOCK_LOG2], (BLOCK_LOG2 + 3)'(0)};
+    twice = (2 * TURN_BITS)'(packed_bytes) << {packed_address[TURN_LOG2-1:BLOCK_LOG2], (BLOCK_LOG2 + 3)'(0)};
     twice_strobe = {64'd0, row_strobe} << {packed_address[5:BLOCK_LOG2], BLOCK_LOG2'(0)};
     turned_strobe = twice_strobe[63:0] | twice_strobe[127:64];
   end
@@ -151,7 +153,7 @@ module hmlfc_view_rows #(
       out_entry <= packed_entry;
       out_line <= packed_address[ADDRESS_BITS-1:6];
       out_line_next <= packed_address[ADDRESS_BITS-1:6] + 1'b1;
-      out_data <= twice[511:0] | twice[1023:512];
+      out_data <= {(512 / TURN_BITS) {twice[TURN_BITS-1:0] | twice[2*TURN_BITS-1:TURN_BITS]}};
       out_strobe <= turned_strobe & ~below_start;
       out_strobe_next <= turned_strobe & below_start;
       out_wraps <= twice_strobe[127:64] != 0;
