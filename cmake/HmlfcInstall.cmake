@@ -56,7 +56,7 @@ configure_package_config_file(cmake/hmlfc-config.cmake.in
   "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
   INSTALL_DESTINATION "${package_dir}")
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config-version.cmake"
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES
   "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config.cmake"
   "${CMAKE_CURRENT_BINARY_DIR}/hmlfc-config-version.cmake"

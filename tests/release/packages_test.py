@@ -18,7 +18,7 @@ SUPPRESSED = (
     "no-changelog",  # that of a Debian package: these come from the project
     "lacks-ldconfig-trigger",  # CPack calls ldconfig in its scripts
 )
-NAMES = {"hmlfc", "hmlfc-rtl", "hmlfc-vectors", "libhmlfc-dev", "libhmlfc0.1", "python3-hmlfc"}
+NAMES = {"hmlfc", "hmlfc-rtl", "hmlfc-vectors", "libhmlfc-dev", "libhmlfc1.0", "python3-hmlfc"}
 
 # Commands that the user of the clean system runs, one after another.
 STEPS = """
@@ -40,7 +40,7 @@ hmlfc decode my.hmlfc --view 1,2 -o decoded
 """
 LISTS = """cmake_minimum_required(VERSION 3.25)
 project(p C CXX)
-find_package(hmlfc 0.1 CONFIG REQUIRED)
+find_package(hmlfc 1.0 CONFIG REQUIRED)
 add_executable(decode_view decode_view.c)
 set_target_properties(decode_view PROPERTIES LINKER_LANGUAGE CXX)
 target_link_libraries(decode_view PRIVATE hmlfc::hmlfc)
@@ -100,9 +100,9 @@ def lint(debs):
 def check_dependencies(debs):
     """Each library that a file needs comes with a package that is named, and nothing of the build is in the files."""
     for name, needs in {
-        "libhmlfc0.1": {"libopenjp2-7", "libtbb12", "libhwy1", "libc6"},
+        "libhmlfc1.0": {"libopenjp2-7", "libtbb12", "libhwy1", "libc6"},
         "hmlfc": {"libpng16-16", "libjpeg62-turbo", "libtiff6", "libwebp7", "libssl3", "libfmt9"},
-        "libhmlfc-dev": {"libhmlfc0.1", "libexpected-dev"},
+        "libhmlfc-dev": {"libhmlfc1.0", "libexpected-dev"},
         "python3-hmlfc": {"python3-numpy", "libopenjp2-7"},
     }.items():
         told = run("dpkg-deb", "--field", debs[name], "Depends")

@@ -5,10 +5,10 @@
 
 #include <hmlfc/export.hpp>
 
-#define HMLFC_VERSION_MAJOR 0  ///< [0, 999]
-#define HMLFC_VERSION_MINOR 1  ///< [0, 999]
+#define HMLFC_VERSION_MAJOR 1  ///< [0, 999]
+#define HMLFC_VERSION_MINOR 0  ///< [0, 999]
 #define HMLFC_VERSION_PATCH 0  ///< [0, 999]
-#define HMLFC_VERSION "0.1.0"  ///< "MAJOR.MINOR.PATCH"
+#define HMLFC_VERSION "1.0.0"  ///< "MAJOR.MINOR.PATCH"
 
 namespace hmlfc {
 
