@@ -27,7 +27,7 @@ samples; every answer and every stage is compared with the model, and a differen
   alone   one request at a time, the first after a LOAD (cold), and the same again (warm)
 `levels` is blocks of a level a clock of all units, `pixels` pixels a clock, `clocks` and `bytes` are for a request, `busy` is
 the share of clocks in which the memory's bus carries data, or the lines that they are of, and `row_hits`
-in JSON the share of lines whose row was open. A unit takes a beat of 128 bits a clock. The bytes of a request are also given by what they are of: entries of ROOT,
+in JSON the share of lines whose row was open. A unit takes a beat a clock. The bytes of a request are also given by what they are of: entries of ROOT,
 records of GROUP, records of tiles, strips of luma and of chroma; `again` are the bytes of beats that
 had been read before in the row.)";
 
