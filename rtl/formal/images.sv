@@ -11,7 +11,8 @@ module prove_images #(
   input logic clk, input logic write, input logic [hmlfc_pkg::VIEW_BITS+2:0] write_id,
       input logic [hmlfc_pkg::IMAGE_BITS-1:0] write_image,
   input logic [hmlfc_pkg::VIEW_BITS+2:0] tiles_id, input logic [hmlfc_pkg::VIEW_BITS+2:0] disparity_id,
-  input logic [hmlfc_pkg::VIEW_BITS+2:0] references_id, input logic [hmlfc_pkg::VIEW_BITS+2:0] place_id
+  input logic references_read, input logic [hmlfc_pkg::VIEW_BITS+2:0] references_id,
+      input logic [hmlfc_pkg::VIEW_BITS+2:0] place_id
 );
   hmlfc_pkg::image_t image;
   logic [hmlfc_pkg::IMAGE_TILES_BITS-1:0] tiles;
@@ -29,17 +30,25 @@ module prove_images #(
   end
   hmlfc_images #(.TRACE(TRACE)) dut (
     .clk(clk), .shallow(shallow), .write(write), .write_id(write_id), .write_image(write_image), .tiles_id(tiles_id),
-    .tiles(tiles), .disparity_id(disparity_id), .disparity_tile(disparity_tile), .references_id(references_id),
-    .references(references), .place_id(place_id), .place(place));
+    .tiles(tiles), .disparity_id(disparity_id), .disparity_tile(disparity_tile), .references_read(references_read),
+    .references_id(references_id), .references(references), .place_id(place_id), .place(place));
 
   logic is_written = 1'b0;
   logic [hmlfc_pkg::IMAGE_BITS-1:0] written;
   assign image = written;
-  always @(posedge clk) if (write && write_id == id) {is_written, written} <= {1'b1, write_image};
+  logic is_read = 1'b0;  // after it was written, and nothing else since
+  hmlfc_pkg::image_t read_image;
+  logic [hmlfc_pkg::IMAGE_BITS-1:0] read_bits;
+  assign read_image = read_bits;
+  always @(posedge clk) begin
+    if (write && write_id == id) {is_written, written} <= {1'b1, write_image};
+    if (references_read) {is_read, read_bits} <= {is_written && references_id == id, written};
+  end
+  always @* if (write) assume (!references_read || write_id != references_id);  // hmlfc_view writes before jobs come
   always @* if (is_written) begin
     if (tiles_id == id) assert (tiles == image.tiles);
     if (disparity_id == id) assert (disparity_tile == image.disparity_tile);
-    if (references_id == id) assert (references == image.references);
+    if (is_read) assert (references == read_image.references);
     if (place_id == id) assert (place == (TRACE != 0 ? {image.row, image.col} : 20'd0));
   end
 endmodule

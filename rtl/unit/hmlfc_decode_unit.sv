@@ -231,7 +231,15 @@ module hmlfc_decode_unit #(
       .responses(read_responses[READ_RESPONSE_BITS+:TILE_CLIENTS*READ_RESPONSE_BITS]), .data
   );
 
-  // ---- The block's references.
+  // ---- The block's references; what its image has of them is read in a clock of its own.
+  logic placed_valid, placed_ready, placed_has_residual;
+  hmlfc_pkg::flow_t placed;
+  logic [RESIDUAL_BITS-1:0] placed_residual;
+  assign flow_ready = !placed_valid || placed_ready;
+  always_ff @(posedge clk) begin
+    if (flow_ready) {placed, placed_has_residual, placed_residual} <= {flow, has_residual, residual};
+    placed_valid <= rst_n && (flow_valid || !flow_ready);
+  end
   logic pending_valid, pending_ready;
   hmlfc_pkg::pending_t pending;
   logic [RESIDUAL_BITS-1:0] pending_residual;
@@ -241,9 +249,10 @@ module hmlfc_decode_unit #(
   hmlfc_references #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS),
       .CACHES(CACHES), .CACHE_STRIPS(CACHE_STRIPS), .FILLS(1 << $clog2(OUTSTANDING)),
       .STRIP_READ(STRIP_READ)) references (
-      .clk, .rst_n, .stream, .flush, .in_valid(flow_valid), .in_ready(flow_ready), .in_flow(flow),
-      .in_image(reference_image), .in_has_residual(has_residual), .in_residual(residual), .out_valid(pending_valid),
-      .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual), .window_valid, .window_ready,
+      .clk, .rst_n, .stream, .flush, .in_valid(placed_valid), .in_ready(placed_ready), .in_flow(placed),
+      .in_image(reference_image), .in_has_residual(placed_has_residual), .in_residual(placed_residual),
+      .out_valid(pending_valid), .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual),
+      .window_valid, .window_ready,
       .window_error, .window, .requests(read_requests[(1+TILE_CLIENTS)*READ_REQUEST_BITS+:2*READ_REQUEST_BITS]),
       .responses(read_responses[(1+TILE_CLIENTS)*READ_RESPONSE_BITS+:2*READ_RESPONSE_BITS]), .data
   );
@@ -274,8 +283,8 @@ module hmlfc_decode_unit #(
   hmlfc_images #(.TRACE(TRACE)) images (
       .clk, .shallow(stream.tree_height < 3'd4), .write(image_write), .write_id({view_slot, image_level}),
       .write_image(view_image), .tiles_id(job.id), .tiles(ask_image), .disparity_id,
-      .disparity_tile(disparity_first_tile), .references_id(flow.job.id), .references(reference_image),
-      .place_id(done_pending.job.id), .place({done_row, done_col})
+      .disparity_tile(disparity_first_tile), .references_read(flow_ready), .references_id(flow.job.id),
+      .references(reference_image), .place_id(done_pending.job.id), .place({done_row, done_col})
   );
 
   if (TRACE != 0) begin : g_trace

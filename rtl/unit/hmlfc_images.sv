@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 `default_nettype none
 
-// The table of images: of each of the views that are held, one image a level. An id is {view, level}; the table has room
-// for all views with four levels (`shallow`), or for half of them with eight.
+// The table of images: of each of the views that are held, one image a level. An id is {view, level}; the table has
+// room for all views with four levels (`shallow`), or for half of them with eight.
 //
-// Written by hmlfc_view; each stage reads what it needs of an entry, combinational, from a memory of its own.
+// Written by hmlfc_view; each stage reads what it needs of an entry from a memory of its own: references in the clock
+// after `references_read`, until the next; the others, combinational.
 module hmlfc_images #(
     parameter int TRACE = 1,  // 0..1: rows and columns of images are kept
     localparam int ID_BITS = hmlfc_pkg::VIEW_BITS + 3,
@@ -19,6 +20,7 @@ module hmlfc_images #(
     output hmlfc_pkg::image_tiles_t tiles,
     input logic [ID_BITS-1:0] disparity_id,
     output logic [hmlfc_pkg::TILE_BITS-1:0] disparity_tile,
+    input logic references_read,
     input logic [ID_BITS-1:0] references_id,
     output hmlfc_pkg::image_references_t references,
     input logic [ID_BITS-1:0] place_id,
@@ -31,17 +33,18 @@ module hmlfc_images #(
 
   logic [hmlfc_pkg::IMAGE_TILES_BITS-1:0] all_tiles[ENTRIES];
   logic [hmlfc_pkg::TILE_BITS-1:0] all_disparity_tiles[ENTRIES];
-  logic [hmlfc_pkg::IMAGE_REFERENCES_BITS-1:0] all_references[ENTRIES];
   always_ff @(posedge clk) begin
     if (write) begin
       all_tiles[write_entry] <= write_image.tiles;
       all_disparity_tiles[write_entry] <= write_image.disparity_tile;
-      all_references[write_entry] <= write_image.references;
     end
   end
   assign tiles = all_tiles[entry_of(tiles_id, shallow)];
   assign disparity_tile = all_disparity_tiles[entry_of(disparity_id, shallow)];
-  assign references = all_references[entry_of(references_id, shallow)];
+  hmlfc_ram #(.WIDTH(hmlfc_pkg::IMAGE_REFERENCES_BITS), .DEPTH(ENTRIES)) all_references (
+      .clk, .write, .write_address(write_entry), .write_data(write_image.references), .read(references_read),
+      .read_address(entry_of(references_id, shallow)), .read_data(references)
+  );
 
   if (TRACE != 0) begin : g_place
     logic [2*hmlfc_pkg::GRID_BITS-1:0] places[ENTRIES];
