@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstdint>
 
 #include <hmlfc/format.hpp>
@@ -98,17 +97,13 @@ constexpr SubpelVector subpel_vector(MotionVector v, unsigned vector_precision, 
 }
 
 /// Weights of the samples at (0, 0), (1, 0), (0, 1) and (1, 1); they sum to 64.
-template <std::signed_integral Weight>
-using Weights = std::array<Weight, 4>;
-using TapWeights = Weights<int32_t>;
+using TapWeights = std::array<int32_t, 4>;
 
 /// The weights of fractions `fx` and `fy` in [0, 7].
 ///
 /// Example: fx = 2, fy = 0 gives 48, 16, 0, 0.
-template <std::signed_integral Weight = int32_t>
-constexpr Weights<Weight> tap_weights(int32_t fx, int32_t fy) {
-  return {static_cast<Weight>((8 - fx) * (8 - fy)), static_cast<Weight>(fx * (8 - fy)),
-          static_cast<Weight>((8 - fx) * fy), static_cast<Weight>(fx * fy)};
+constexpr TapWeights tap_weights(int32_t fx, int32_t fy) {
+  return {(8 - fx) * (8 - fy), fx * (8 - fy), (8 - fx) * fy, fx * fy};
 }
 
 /// I of MOT-9 from the four samples in the order of `weights`; in 64 times their interval.
@@ -117,22 +112,15 @@ constexpr int32_t weighted_sum(const TapWeights& weights, const std::array<int32
          weights[3] * samples[3];
 }
 
-/// R of MOT-9 with one reference; Sum holds sum + 32.
-template <std::signed_integral Sum>
-constexpr Sum one_reference_value(Sum sum) {
-  return static_cast<Sum>(static_cast<Sum>(sum + 32) >> 6);
-}
+/// R of MOT-9 with one reference.
+constexpr int32_t one_reference_value(int32_t sum) { return floor_shift(sum + 32, 6); }
 
-/// I_first + I_second + 64 of MOT-9, which Sum holds.
-template <std::signed_integral Sum>
-constexpr Sum two_reference_sum(Sum first, Sum second) {
-  return static_cast<Sum>(first + second + 64);
-}
+/// I_first + I_second + 64 of MOT-9.
+constexpr int32_t two_reference_sum(int32_t first, int32_t second) { return first + second + 64; }
 
 /// R of MOT-9 with two references.
-template <std::signed_integral Sum>
-constexpr Sum two_reference_value(Sum first, Sum second) {
-  return static_cast<Sum>(two_reference_sum(first, second) >> 7);
+constexpr int32_t two_reference_value(int32_t first, int32_t second) {
+  return floor_shift(two_reference_sum(first, second), 7);
 }
 
 }  // namespace hmlfc

@@ -177,17 +177,6 @@ Result<int32_t> read_disparity(const FieldCursor& cursor, const DisparityHead& h
   return disparity;
 }
 
-GridBlock grid_block(uint32_t x, uint32_t y, unsigned choice, unsigned grid_log2,
-                     const MotionPlaneShape& plane) {
-  const auto moved = [&](uint32_t sample, int32_t steps, uint32_t size) {
-    const auto last = static_cast<int32_t>((size - 1) >> grid_log2);
-    const auto own = static_cast<int32_t>(sample >> grid_log2);
-    return static_cast<uint32_t>(clamp(own + steps, 0, last));
-  };
-  const auto [dx, dy] = kChoiceMoves[choice];
-  return {moved(x, dx, plane.width), moved(y, dy, plane.height)};
-}
-
 void put_disparity_fields(BitWriter& writer, int32_t min_disparity, const SequenceFields& values) {
   writer.put_signed(min_disparity, kMinDisparityBits);
   writer.put(values.level_code, kDisparityCodeBits);

@@ -12,6 +12,7 @@
 #include <hmlfc/format.hpp>
 
 #include "arithmetic/bise.hpp"
+#include "arithmetic/rounding.hpp"
 #include "bits/bit_string.hpp"
 #include "syntax/field_cursor.hpp"
 #include "syntax/stream_view.hpp"
@@ -170,8 +171,16 @@ struct GridBlock {
 ///
 /// Example: place (8, 0), grid of 4: choice 1 reads grid block (2, 0), choice 2, to the left,
 /// (1, 0), choice 4, above, (2, 0).
-GridBlock grid_block(uint32_t x, uint32_t y, unsigned choice, unsigned grid_log2,
-                     const MotionPlaneShape& plane);
+inline GridBlock grid_block(uint32_t x, uint32_t y, unsigned choice, unsigned grid_log2,
+                            const MotionPlaneShape& plane) {
+  const auto moved = [&](uint32_t sample, int32_t steps, uint32_t size) {
+    const auto last = static_cast<int32_t>((size - 1) >> grid_log2);
+    const auto own = static_cast<int32_t>(sample >> grid_log2);
+    return static_cast<uint32_t>(clamp(own + steps, 0, last));
+  };
+  const auto [dx, dy] = kChoiceMoves[choice];
+  return {moved(x, dx, plane.width), moved(y, dy, plane.height)};
+}
 
 /// The disparities of one reference group, one for each grid block, row by row (MOT-6).
 struct DisparityGrid {

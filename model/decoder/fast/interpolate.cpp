@@ -1,95 +1,114 @@
-// Plain loops over fixed numbers of columns, which the compiler vectorises for each instruction
-// set; one is chosen at run time.
+// With vectors of the instruction set chosen at run time.
 #include "decoder/fast/interpolate.hpp"
 
+#include <cstdint>
 #include <cstring>
 #include <limits>
-
-#include "arithmetic/motion.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "decoder/fast/interpolate.cpp"
 #include <hwy/foreach_target.h>  // before highway.h
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hmlfc {
 namespace HWY_NAMESPACE {
 
-// One reference from a column on; for samples of weight 0 any that can be read are taken.
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+inline hn::Vec<D> load(D lanes, const int16_t* from) {
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(int16_t)) {
+    return hn::LoadU(lanes, from);
+  } else {
+    return hn::PromoteTo(lanes, hn::LoadU(hn::Rebind<int16_t, D>(), from));
+  }
+}
+
+template <class D>
+inline void store(D lanes, hn::Vec<D> values, int16_t* to) {
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(int16_t)) {
+    hn::StoreU(values, lanes, to);
+  } else {
+    const hn::Rebind<int16_t, D> words;
+    hn::StoreU(hn::DemoteTo(words, values), words, to);
+  }
+}
+
+// Bytes from what a row reads to what is fetched beside it, for the next piece: neighbours most
+// often have nearly the same vector. That may lie outside the plane: a prefetch never faults.
+constexpr uintptr_t kAhead = 128;
+
+// One reference from column x on, row after row. The weights of MOT-9 are products, so each row is
+// blended across once and serves two rows of sums.
+template <class D>
 struct Taps {
+  using Lane = hn::TFromD<D>;
+
   Taps(const DisplacedReference& reference, unsigned x)
       : row(reference.view.data + x),
         stride(reference.view.stride),
         right(reference.fx == 0 ? 0 : 1),
         below(reference.fy == 0 ? 0 : reference.view.stride),
-        weights(tap_weights<int16_t>(reference.fx, reference.fy)) {}
+        fx(hn::Set(D(), static_cast<Lane>(reference.fx))),
+        rest_x(hn::Set(D(), static_cast<Lane>(8 - reference.fx))),
+        fy(hn::Set(D(), static_cast<Lane>(reference.fy))),
+        rest_y(hn::Set(D(), static_cast<Lane>(8 - reference.fy))),
+        above(across()) {}
+
+  hn::Vec<D> across() const {
+    return hn::Add(hn::Mul(load(D(), row), rest_x), hn::Mul(load(D(), row + right), fx));
+  }
+
+  // I of the row; `step` leads to the next one, which has the weight fy.
+  hn::Vec<D> next(size_t step) {
+    row += step;
+    hwy::Prefetch(reinterpret_cast<const int16_t*>(reinterpret_cast<uintptr_t>(row) + kAhead));
+    const hn::Vec<D> here = across();
+    const hn::Vec<D> sums = hn::Add(hn::Mul(above, rest_y), hn::Mul(here, fy));
+    above = here;
+    return sums;
+  }
 
   const int16_t* row;
   size_t stride;
   size_t right;  // to the samples of weight fx
   size_t below;  // to the samples of weight fy
-  std::array<int16_t, 4> weights;
+  hn::Vec<D> fx, rest_x, fy, rest_y;
+  hn::Vec<D> above;
 };
 
-// I of MOT-9 in kLanes columns of one row. Sum holds it and its partial sums: all lie in
-// 64 * [-bound, bound].
-template <class Sum, unsigned kLanes>
-inline void sum_row(const Taps& taps, const int16_t* row, Sum (&sums)[kLanes]) {
-  int16_t s00[kLanes], s10[kLanes], s01[kLanes], s11[kLanes];
-  std::memcpy(s00, row, sizeof(s00));
-  std::memcpy(s10, row + taps.right, sizeof(s10));
-  std::memcpy(s01, row + taps.below, sizeof(s01));
-  std::memcpy(s11, row + taps.below + taps.right, sizeof(s11));
-  const auto [w00, w10, w01, w11] = taps.weights;
-  for (unsigned i = 0; i < kLanes; ++i) {
-    sums[i] = static_cast<Sum>(s00[i] * w00 + s10[i] * w10 + s01[i] * w01 + s11[i] * w11);
-  }
-}
-
-// Columns [x, x + kLanes).
-template <class Sum, unsigned kLanes>
-void put_columns(const DisplacedReference& reference, const PredictionTarget& target, unsigned x) {
-  const Taps taps(reference, x);
-  for (unsigned y = 0; y < target.rows; ++y) {
-    Sum sums[kLanes];
-    int16_t values[kLanes];
-    sum_row(taps, taps.row + y * taps.stride, sums);
-    for (unsigned i = 0; i < kLanes; ++i) {
-      values[i] = static_cast<int16_t>(one_reference_value(sums[i]));
-    }
-    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
-  }
-}
-
-template <class Sum, unsigned kLanes>
-void put_columns(const std::array<DisplacedReference, 2>& references,
+// The lanes of D from column x on.
+template <unsigned kReferences, class D>
+void put_columns(D lanes, const std::array<DisplacedReference, 2>& references,
                  const PredictionTarget& target, unsigned x) {
-  const Taps first(references[0], x);
-  const Taps second(references[1], x);
-  for (unsigned y = 0; y < target.rows; ++y) {
-    Sum a[kLanes], b[kLanes];
-    int16_t values[kLanes];
-    sum_row(first, first.row + y * first.stride, a);
-    sum_row(second, second.row + y * second.stride, b);
-    for (unsigned i = 0; i < kLanes; ++i) {
-      values[i] = static_cast<int16_t>(two_reference_value(a[i], b[i]));
-    }
-    std::memcpy(target.data + y * target.stride + x, values, sizeof(values));
-  }
+  Taps<D> first(references[0], x);
+  Taps<D> second(references[kReferences - 1], x);
+  const hn::Vec<D> half = hn::Set(lanes, 32 * kReferences);
+  int16_t* out = target.data + x;
+  const auto put = [&](size_t first_step, size_t second_step) {
+    hn::Vec<D> sums = first.next(first_step);
+    if constexpr (kReferences == 2) sums = hn::Add(sums, second.next(second_step));
+    store(lanes, hn::ShiftRight<5 + kReferences>(hn::Add(sums, half)), out);
+    out += target.stride;
+  };
+  for (unsigned y = 1; y < target.rows; ++y) put(first.stride, second.stride);
+  put(first.below, second.below);
 }
 
-// Columns that go together at most.
-constexpr unsigned kWidest = 32;
-
-// Columns [x, columns): kLanes at a time, and what is left half as many at a time.
-template <class Sum, unsigned kLanes, class References>
-void interpolate(const References& references, const PredictionTarget& target, unsigned x = 0) {
+// Columns [x, columns): kLanes at a time, and what is left half as many at a time. Sum holds all
+// sums.
+template <class Sum, unsigned kReferences, unsigned kLanes = HWY_LANES(Sum)>
+void interpolate(const std::array<DisplacedReference, 2>& references,
+                 const PredictionTarget& target, unsigned x = 0) {
   for (; x + kLanes <= target.columns; x += kLanes) {
-    put_columns<Sum, kLanes>(references, target, x);
+    put_columns<kReferences>(hn::FixedTag<Sum, kLanes>(), references, target, x);
   }
-  if constexpr (kLanes > 1) interpolate<Sum, kLanes / 2>(references, target, x);
+  if constexpr (kLanes > 1) {
+    if (x < target.columns) interpolate<Sum, kReferences, kLanes / 2>(references, target, x);
+  }
 }
 
 // R of whole vectors: the reference itself, or the mean of two, halves up.
@@ -121,11 +140,11 @@ void interpolate_rect_here(const std::array<DisplacedReference, 2>& references, 
   const auto most = static_cast<int32_t>(count) * (64 * bound + 32);
   const bool narrow = most <= std::numeric_limits<int16_t>::max();
   if (count == 1) {
-    narrow ? interpolate<int16_t, kWidest>(references[0], target)
-           : interpolate<int32_t, kWidest>(references[0], target);
+    narrow ? interpolate<int16_t, 1>(references, target)
+           : interpolate<int32_t, 1>(references, target);
   } else {
-    narrow ? interpolate<int16_t, kWidest>(references, target)
-           : interpolate<int32_t, kWidest>(references, target);
+    narrow ? interpolate<int16_t, 2>(references, target)
+           : interpolate<int32_t, 2>(references, target);
   }
 }
 

@@ -43,12 +43,22 @@ class DisparityPlane {
   /// must outlive it.
   DisparityPlane(const StreamView& stream, int level, ImagePos image, size_t motion_plane);
 
+  /// Stands for a disparity that cannot be read; none is as small.
+  static constexpr int16_t kDamaged = INT16_MIN;
+
+  /// Row gy of the plane's grid blocks, of which columns [first, last] have a meaning: disparities
+  /// in [-4096, 4095], or kDamaged.
+  const int16_t* row(uint32_t first, uint32_t last, uint32_t gy) const {
+    const uint32_t ty = gy >> tile_log2_;
+    for (uint32_t tx = first >> tile_log2_; tx <= last >> tile_log2_; ++tx) {
+      read_.fill_once(size_t{ty} * tiles_x_ + tx, [&] { fill_tile(tx, ty); });
+    }
+    return values_.data() + size_t{gy} * columns_;
+  }
+
   /// The disparity of a grid block of the plane; nothing where it cannot be read.
   std::optional<int32_t> find(const GridBlock& block) const {
-    const uint32_t tx = block.gx >> tile_log2_;
-    const uint32_t ty = block.gy >> tile_log2_;
-    read_.fill_once(size_t{ty} * tiles_x_ + tx, [&] { fill_tile(tx, ty); });
-    const int16_t value = values_[size_t{block.gy} * columns_ + block.gx];
+    const int16_t value = row(block.gx, block.gx, block.gy)[block.gx];
     if (value == kDamaged) return std::nullopt;
     return value;
   }
@@ -57,8 +67,6 @@ class DisparityPlane {
   size_t bytes() const { return values_.capacity() * sizeof(int16_t); }
 
  private:
-  static constexpr int16_t kDamaged = INT16_MIN;  // no disparity is as small
-
   void fill_tile(uint32_t tx, uint32_t ty) const;
 
   const StreamView& stream_;

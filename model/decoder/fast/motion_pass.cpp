@@ -4,9 +4,9 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <tuple>
 
 #include "arithmetic/reconstruct.hpp"
+#include "arithmetic/rounding.hpp"
 #include "arithmetic/widths.hpp"
 #include "decoder/block_motion.hpp"
 #include "decoder/fast/interpolate.hpp"
@@ -27,6 +27,14 @@ struct PixelBox {
 PixelBox common(const PixelBox& a, const PixelBox& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
+
+// The motion of a block, and where it is read.
+struct ReadMotion {
+  unsigned count = 0;  // of references
+  bool negative = false;
+  std::array<const ReferenceReader*, 2> readers{};
+  std::array<SubpelVector, 2> vectors{};
+};
 
 class MotionPass {
  public:
@@ -81,57 +89,85 @@ class MotionPass {
         if (entry == nullptr) return failure(ErrorCode::kBadMode);
         if (!entry->has_motion()) continue;
         const PixelBox part = common({x, y, x + unit, y + unit}, wanted);
-        const auto added = entry->shares_disparity() ? add_shared(*entry, part)
-                                                     : add_unit(resolver_.resolve(*entry, 0), part);
+        const auto added =
+            entry->shares_disparity() ? add_shared(*entry, part) : add_own(*entry, part);
         if (!added) return added;
       }
     }
     return {};
   }
 
-  // The part of a motion block whose blocks take their disparities from the grid: neighbours with
-  // the same motion are predicted together.
+  // The part of a motion block whose vectors are the entry's own.
+  Result<void> add_own(const PaletteEntry& entry, const PixelBox& part) {
+    const auto motion = read_motion(entry, 0);
+    if (!motion) return tl::unexpected(motion.error());
+    return add_unit(*motion, part);
+  }
+
+  // The part of a motion block whose blocks take their disparities from the grid: neighbours in a
+  // row with the same one are predicted together.
   Result<void> add_shared(const PaletteEntry& entry, const PixelBox& part) {
-    const uint32_t unit = unit_side(sources_.stream.header.disparity_grid_log2);
+    if (!disparities_) {
+      disparities_ = sources_.references.disparities(level_, resolver_.images()[0], motion_plane_);
+    }
+    const unsigned grid_log2 = sources_.stream.header.disparity_grid_log2;
+    const MotionPlaneShape& plane = geometry_.motion_planes()[motion_plane_];
+    const uint32_t unit = unit_side(grid_log2);
+    const uint32_t left = part.x0 / unit * unit;
+    const auto last = static_cast<int32_t>((plane.width - 1) >> grid_log2);
     for (uint32_t y = part.y0 / unit * unit; y < part.y1; y += unit) {
-      PixelBox run = common({part.x0, y, part.x0, y + unit}, {part.x0, part.y0, part.x1, part.y1});
-      BlockMotion motion;
-      for (uint32_t x = part.x0 / unit * unit; x < part.x1; x += unit) {
-        const auto disparity = disparity_at(entry, x << shift_, y << shift_);
-        if (!disparity) return tl::unexpected(disparity.error());
-        const BlockMotion& next = shared_motion(entry, *disparity);
-        if (run.x1 > run.x0 && next != motion) {
-          if (auto ok = add_unit(motion, run); !ok) return ok;
-          run.x0 = run.x1;
-        }
-        motion = next;
-        run.x1 = std::min(x + unit, part.x1);
+      const auto block_at = [&](uint32_t x) {
+        return grid_block(x << shift_, y << shift_, entry.choice, grid_log2, plane);
+      };
+      const GridBlock first = block_at(left);
+      const int16_t* row =
+          disparities_->row(first.gx, block_at((part.x1 - 1) / unit * unit).gx, first.gy);
+      auto column =
+          static_cast<int32_t>((left << shift_) >> grid_log2) + kChoiceMoves[entry.choice][0];
+      for (uint32_t x = left; x < part.x1;) {
+        const int16_t shared = row[clamp(column, 0, last)];
+        uint32_t end = x;
+        do {
+          end += unit;
+          column += static_cast<int32_t>((unit << shift_) >> grid_log2);
+        } while (end < part.x1 && row[clamp(column, 0, last)] == shared);
+        if (shared == DisparityPlane::kDamaged) return failure(ErrorCode::kVectorRange);
+        const auto motion = shared_motion(entry, shared);
+        if (!motion) return tl::unexpected(motion.error());
+        if (auto ok = add_unit(**motion, common({x, y, end, y + unit}, part)); !ok) return ok;
+        x = end;
       }
-      if (auto ok = add_unit(motion, run); !ok) return ok;
     }
     return {};
   }
 
-  // resolve() of an entry that shares a disparity, cached for the latest disparities.
-  const BlockMotion& shared_motion(const PaletteEntry& entry, int32_t disparity) {
-    ResolvedMotion& slot = resolved_[static_cast<uint32_t>(disparity) % resolved_.size()];
-    const auto key = std::tuple(disparity, entry.reference_set, entry.negative);
-    if (!slot.known || slot.key != key) slot = {true, key, resolver_.resolve(entry, disparity)};
-    return slot.motion;
-  }
-
-  Result<int32_t> disparity_at(const PaletteEntry& entry, uint32_t x, uint32_t y) {
-    if (!disparities_) {
-      disparities_ = sources_.references.disparities(level_, resolver_.images()[0], motion_plane_);
+  // The motion of an entry that shares `disparity`, cached for the latest disparities.
+  Result<const ReadMotion*> shared_motion(const PaletteEntry& entry, int16_t disparity) {
+    const auto bits = static_cast<uint16_t>(disparity);
+    const uint32_t key =
+        bits | uint32_t{entry.reference_set} << 16 | uint32_t{entry.negative} << 24;
+    CachedMotion& slot = cached_[(bits + uint32_t{entry.reference_set} * 86) % cached_.size()];
+    if (slot.key != key) {
+      const auto motion = read_motion(entry, disparity);
+      if (!motion) return tl::unexpected(motion.error());
+      slot = {key, *motion};
     }
-    const auto found = disparities_->find(grid_block(x, y, entry.choice,
-                                                     sources_.stream.header.disparity_grid_log2,
-                                                     geometry_.motion_planes()[motion_plane_]));
-    if (!found) return failure(ErrorCode::kVectorRange);
-    return *found;
+    return &slot.motion;
   }
 
-  Result<void> add_unit(const BlockMotion& motion, const PixelBox& unit) {
+  Result<ReadMotion> read_motion(const PaletteEntry& entry, int32_t disparity) {
+    const BlockMotion resolved = resolver_.resolve(entry, disparity);
+    ReadMotion motion{resolved.count, resolved.negative, {}, {}};
+    for (unsigned i = 0; i < resolved.count; ++i) {
+      const auto reader = reader_of(resolved.references[i].image);
+      if (!reader) return tl::unexpected(reader.error());
+      motion.readers[i] = *reader;
+      motion.vectors[i] = resolved.references[i].vector;
+    }
+    return motion;
+  }
+
+  Result<void> add_unit(const ReadMotion& motion, const PixelBox& unit) {
     for (uint32_t y = unit.y0; y < unit.y1; y += kPieceSide) {
       for (uint32_t x = unit.x0; x < unit.x1; x += kPieceSide) {
         const PixelBox piece = common({x, y, x + kPieceSide, y + kPieceSide}, unit);
@@ -141,20 +177,18 @@ class MotionPass {
     return {};
   }
 
-  Result<void> add_piece(const BlockMotion& motion, const PixelBox& piece) {
+  Result<void> add_piece(const ReadMotion& motion, const PixelBox& piece) {
     constexpr size_t kBuffer = size_t{kPieceSide + 1} * (kPieceSide + 1);
     std::array<std::array<int16_t, kBuffer>, 2> buffers;
     std::array<DisplacedReference, 2> references;
     const unsigned columns = piece.x1 - piece.x0;
     const unsigned rows = piece.y1 - piece.y0;
     for (unsigned i = 0; i < motion.count; ++i) {
-      const SubpelVector& vector = motion.references[i].vector;
+      const SubpelVector& vector = motion.vectors[i];
       const ReferenceArea area{static_cast<int32_t>(piece.x0) + vector.ix,
                                static_cast<int32_t>(piece.y0) + vector.iy,
                                columns + (vector.fx == 0 ? 0 : 1), rows + (vector.fy == 0 ? 0 : 1)};
-      const auto reader = reader_of(motion.references[i].image);
-      if (!reader) return tl::unexpected(reader.error());
-      const auto view = (*reader)->view(area, buffers[i].data());
+      const auto view = motion.readers[i]->view(area, buffers[i].data());
       if (!view) return tl::unexpected(view.error());
       references[i] = {*view, vector.fx, vector.fy};
     }
@@ -166,7 +200,7 @@ class MotionPass {
 
   // At a keyed level A is R: it is a mean of samples in [lo, hi], which the clamp leaves alone, and
   // its sign is + (EXT-5, MOT-3).
-  void put_piece(const std::array<DisplacedReference, 2>& references, const BlockMotion& motion,
+  void put_piece(const std::array<DisplacedReference, 2>& references, const ReadMotion& motion,
                  const PredictionTarget& out) const {
     if (keyed_) return interpolate_rect(references, motion.count, range_.hi, out);
     std::array<int16_t, size_t{kPieceSide} * kPieceSide> reference;
@@ -194,10 +228,9 @@ class MotionPass {
     return failure(ErrorCode::kBadMode);
   }
 
-  struct ResolvedMotion {
-    bool known = false;
-    std::tuple<int32_t, unsigned, bool> key;
-    BlockMotion motion;
+  struct CachedMotion {
+    uint32_t key = UINT32_MAX;  // no motion has it
+    ReadMotion motion;
   };
 
   const FastSources& sources_;
@@ -214,7 +247,7 @@ class MotionPass {
   unsigned shift_ = 0;  // 1: the motion plane has twice the width and height
   std::array<std::optional<ReferenceReader>, 4> readers_;  // of K0 to K3
   std::shared_ptr<const DisparityPlane> disparities_;
-  std::array<ResolvedMotion, 64> resolved_;
+  std::array<CachedMotion, 256> cached_;
 };
 
 }  // namespace

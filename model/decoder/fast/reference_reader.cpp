@@ -27,21 +27,29 @@ Result<ReferenceReader> ReferenceReader::open(const FastSources& sources, int le
   return reader;
 }
 
-Result<ReferenceView> ReferenceReader::view(const ReferenceArea& area, int16_t* buffer) const {
-  const bool whole = is_inside(area);
-  if (whole && key_) {
-    const size_t first = static_cast<size_t>(area.y) * plane_.width + static_cast<size_t>(area.x);
-    return ReferenceView{key_->samples.data() + first, plane_.width};
+Result<ReferenceView> ReferenceReader::copied_view(const ReferenceArea& area, bool whole,
+                                                   int16_t* buffer) const {
+  const ReferenceView copied{buffer, area.columns};
+  if (key_) {
+    read_key(area, buffer);
+    return copied;
   }
   const auto read = whole ? read_sparse(area, buffer) : read_clamped(area, buffer);
   if (!read) return tl::unexpected(read.error());
-  return ReferenceView{buffer, area.columns};
+  return copied;
 }
 
-bool ReferenceReader::is_inside(const ReferenceArea& area) const {
-  return area.x >= 0 && area.y >= 0 &&
-         area.x + static_cast<int32_t>(area.columns) <= static_cast<int32_t>(plane_.width) &&
-         area.y + static_cast<int32_t>(area.rows) <= static_cast<int32_t>(plane_.height);
+// Before the first and after the last column of the plane, these repeat.
+void ReferenceReader::read_key(const ReferenceArea& area, int16_t* out) const {
+  const auto columns = static_cast<int32_t>(area.columns);
+  const int32_t before = clamp(-area.x, 0, columns);
+  const int32_t end = clamp(static_cast<int32_t>(plane_.width) - area.x, before, columns);
+  for (unsigned j = 0; j < area.rows; ++j) {
+    const auto row = key_->row(inside(area.y + static_cast<int32_t>(j), plane_.height));
+    out = std::fill_n(out, before, row.front());
+    out = std::copy_n(row.data() + (area.x + before), end - before, out);
+    out = std::fill_n(out, columns - end, row.back());
+  }
 }
 
 Result<void> ReferenceReader::read_clamped(const ReferenceArea& area, int16_t* out) const {
@@ -86,7 +94,6 @@ Result<void> ReferenceReader::read_sparse(const ReferenceArea& area, int16_t* ou
 }
 
 Result<int16_t> ReferenceReader::sample(uint32_t x, uint32_t y) const {
-  if (key_) return key_->at(x, y);
   const auto block = sparse_->find(x / block_size_, y / block_size_);
   if (!block) return tl::unexpected(block.error());
   if (*block == nullptr) return int16_t{0};

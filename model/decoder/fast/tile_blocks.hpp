@@ -31,14 +31,16 @@ struct TileBlocks {
 
 /// The blocks of `rect` in the tile whose first block is (bx, by), by block number.
 inline uint64_t blocks_of_rect(const BlockRect& rect, uint32_t bx, uint32_t by) {
-  uint64_t mask = 0;
-  for (unsigned k = 0; k < kBlocksInTile; ++k) {
-    const uint32_t x = bx + block_column(k);
-    const uint32_t y = by + block_row(k);
-    const bool inside = x >= rect.bx0 && x < rect.bx1 && y >= rect.by0 && y < rect.by1;
-    mask |= uint64_t{inside} << k;
+  // The number of block (i, j) is that of (i, 0) plus that of (0, j) (TIL-2).
+  constexpr uint64_t kColumn = 0x0005'0005'0005'0005;
+  constexpr uint64_t kRow = 0x3333;
+  uint64_t columns = 0;
+  uint64_t rows = 0;
+  for (unsigned i = 0; i < kTileBlocks; ++i) {
+    if (bx + i >= rect.bx0 && bx + i < rect.bx1) columns |= kColumn << block_number(i, 0);
+    if (by + i >= rect.by0 && by + i < rect.by1) rows |= kRow << block_number(0, i);
   }
-  return mask;
+  return columns & rows;
 }
 
 /// Reads the tile that holds block `site`; values of residuals are unpacked for the blocks of
