@@ -61,20 +61,29 @@ bool is_cropped(const SamplePlane& region, const BlockRect& blocks, const Rect& 
          (!exactly || (region.width == rect.width && region.height == rect.height));
 }
 
-// The samples of `rect`, which lies in the plane of `image`: a plane of its size, or, unless
-// `exactly`, one that begins with them.
-Result<SamplePlane> decode_samples(const FastSources& fast, const DecodeSources& golden,
-                                   const BlockSite& image, const Rect& rect, bool exactly) {
+// The samples of `rect`, which lies in the plane of `image` and in those after it that are decoded
+// together: planes of its size, or, unless `exactly`, ones that begin with them.
+Result<void> decode_samples(const FastSources& fast, const DecodeSources& golden,
+                            const BlockSite& image, const Rect& rect, bool exactly,
+                            std::span<SamplePlane> samples) {
   const uint32_t block_size = fast.stream.geometry.block_size();
   const BlockRect blocks = blocks_of(rect, block_size);
   const ImagePos at{image.image_row, image.image_col};
-  auto region = decode_region(fast, image.level, at, image.plane, blocks);
-  if (!region && fast.requests == nullptr) {
-    // The golden path finds which block fails, and whether it is one of those asked for.
-    region = decode_region_by_blocks(golden, image.level, at, image.plane, blocks);
+  const auto decoded = decode_region(fast, image.level, at, image.plane, blocks, samples);
+  if (!decoded && fast.requests != nullptr) return decoded;
+  for (size_t p = 0; p < samples.size(); ++p) {
+    if (!decoded) {
+      // The golden path finds which block fails, and whether it is one of those asked for.
+      const auto plane = static_cast<Plane>(static_cast<size_t>(image.plane) + p);
+      auto region = decode_region_by_blocks(golden, image.level, at, plane, blocks);
+      if (!region) return tl::unexpected(region.error());
+      samples[p] = std::move(*region);
+    }
+    if (!is_cropped(samples[p], blocks, rect, block_size, exactly)) {
+      samples[p] = crop(samples[p], blocks, rect, block_size);
+    }
   }
-  if (!region || is_cropped(*region, blocks, rect, block_size, exactly)) return region;
-  return crop(*region, blocks, rect, block_size);
+  return {};
 }
 
 }  // namespace
@@ -160,7 +169,7 @@ Result<void> Decoder::refine_rect(ViewPos view, Plane plane, const Rect& rect, i
       const auto row = samples.subspan(size_t{j} * rect.width, rect.width);
       std::ranges::copy(row, region.row(j).begin());
     }
-    if (auto ok = add_level(state_->fast(), stop_level, image, plane, blocks, region); !ok) {
+    if (auto ok = add_level(state_->fast(), stop_level, image, plane, blocks, {&region, 1}); !ok) {
       return ok;
     }
     for (uint32_t j = 0; j < rect.height; ++j) {
@@ -192,12 +201,11 @@ Result<RgbImage> Decoder::decode_rgb(ViewPos view, const Rect& rect, int stop_le
     }
     state_->load(parts);
     std::array<SamplePlane, kPlaneCount> planes;
-    for (const Plane plane : kPlanes) {
-      auto samples = decode_samples(state_->fast(), state_->golden(),
-                                    {stop_level, image.row, image.col, plane},
-                                    chroma_rect(rect, halved && plane != Plane::kY), false);
-      if (!samples) return tl::unexpected(samples.error());
-      planes[static_cast<size_t>(plane)] = std::move(*samples);
+    for (const PlaneGroup& group : kPlaneGroups) {
+      const auto ok = decode_samples(
+          state_->fast(), state_->golden(), {stop_level, image.row, image.col, group.first},
+          chroma_rect(rect, halved && group.first != Plane::kY), false, group.of(planes));
+      if (!ok) return tl::unexpected(ok.error());
     }
     return rgb_picture(planes, rect, halved, header().depth);
   });
@@ -221,10 +229,12 @@ Result<std::vector<int16_t>> DecoderAccess::decode_rect(const Decoder& decoder, 
   }
   const ImagePos image = geometry.ancestor({view.row, view.col}, 0, stop_level);
   return guard_request(state.stream.source, [&]() -> Result<std::vector<int16_t>> {
-    auto samples = decode_samples(state.fast(requests), state.golden(),
-                                  {stop_level, image.row, image.col, plane}, rect, true);
-    if (!samples) return tl::unexpected(samples.error());
-    return std::move(samples->samples);
+    SamplePlane samples;
+    const auto ok =
+        decode_samples(state.fast(requests), state.golden(),
+                       {stop_level, image.row, image.col, plane}, rect, true, {&samples, 1});
+    if (!ok) return tl::unexpected(ok.error());
+    return std::move(samples.samples);
   });
 }
 

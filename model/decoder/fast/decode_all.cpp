@@ -90,11 +90,10 @@ class FamilyDecoder {
 
   Result<ViewPlanes> decode_image(int level, ImagePos image) const {
     ViewPlanes planes;
-    for (const Plane plane : kPlanes) {
-      const BlockRect all = whole_plane(sources_.stream.geometry.plane(plane));
-      auto region = decode_region(sources_, level, image, plane, all);
-      if (!region) return tl::unexpected(region.error());
-      planes[static_cast<size_t>(plane)] = std::move(*region);
+    for (const PlaneGroup& group : kPlaneGroups) {
+      const BlockRect all = whole_plane(sources_.stream.geometry.plane(group.first));
+      auto ok = decode_region(sources_, level, image, group.first, all, group.of(planes));
+      if (!ok) return tl::unexpected(ok.error());
     }
     return planes;
   }
@@ -107,10 +106,9 @@ class FamilyDecoder {
       return deliver(*key, image);
     }
     ViewPlanes planes = *parent;
-    for (const Plane plane : kPlanes) {
-      const BlockRect all = whole_plane(sources_.stream.geometry.plane(plane));
-      auto ok =
-          add_level(sources_, stop_level_, image, plane, all, planes[static_cast<size_t>(plane)]);
+    for (const PlaneGroup& group : kPlaneGroups) {
+      const BlockRect all = whole_plane(sources_.stream.geometry.plane(group.first));
+      auto ok = add_level(sources_, stop_level_, image, group.first, all, group.of(planes));
       if (!ok) return ok;
     }
     return deliver(planes, image);

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <optional>
+#include <span>
+#include <vector>
 
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/rounding.hpp"
@@ -28,18 +29,18 @@ PixelBox common(const PixelBox& a, const PixelBox& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
-// The motion of a block, and where it is read.
+// The motion of a block, and which of K0 to K3 it reads.
 struct ReadMotion {
   unsigned count = 0;  // of references
   bool negative = false;
-  std::array<const ReferenceReader*, 2> readers{};
+  std::array<size_t, 2> images{};
   std::array<SubpelVector, 2> vectors{};
 };
 
 class MotionPass {
  public:
   MotionPass(const FastSources& sources, int level, ImagePos image, Plane plane,
-             const BlockRect& rect, SamplePlane& samples)
+             const BlockRect& rect, std::span<SamplePlane> samples)
       : sources_(sources),
         geometry_(sources.stream.geometry),
         level_(level),
@@ -159,9 +160,9 @@ class MotionPass {
     const BlockMotion resolved = resolver_.resolve(entry, disparity);
     ReadMotion motion{resolved.count, resolved.negative, {}, {}};
     for (unsigned i = 0; i < resolved.count; ++i) {
-      const auto reader = reader_of(resolved.references[i].image);
-      if (!reader) return tl::unexpected(reader.error());
-      motion.readers[i] = *reader;
+      const auto image = open_readers(resolved.references[i].image);
+      if (!image) return tl::unexpected(image.error());
+      motion.images[i] = *image;
       motion.vectors[i] = resolved.references[i].vector;
     }
     return motion;
@@ -180,21 +181,26 @@ class MotionPass {
   Result<void> add_piece(const ReadMotion& motion, const PixelBox& piece) {
     constexpr size_t kBuffer = size_t{kPieceSide + 1} * (kPieceSide + 1);
     std::array<std::array<int16_t, kBuffer>, 2> buffers;
+    std::array<ReferenceArea, 2> areas;
     std::array<DisplacedReference, 2> references;
     const unsigned columns = piece.x1 - piece.x0;
     const unsigned rows = piece.y1 - piece.y0;
     for (unsigned i = 0; i < motion.count; ++i) {
       const SubpelVector& vector = motion.vectors[i];
-      const ReferenceArea area{static_cast<int32_t>(piece.x0) + vector.ix,
-                               static_cast<int32_t>(piece.y0) + vector.iy,
-                               columns + (vector.fx == 0 ? 0 : 1), rows + (vector.fy == 0 ? 0 : 1)};
-      const auto view = motion.readers[i]->view(area, buffers[i].data());
-      if (!view) return tl::unexpected(view.error());
-      references[i] = {*view, vector.fx, vector.fy};
+      areas[i] = {static_cast<int32_t>(piece.x0) + vector.ix,
+                  static_cast<int32_t>(piece.y0) + vector.iy, columns + (vector.fx == 0 ? 0 : 1),
+                  rows + (vector.fy == 0 ? 0 : 1)};
     }
-    int16_t* out = samples_.samples.data() + size_t{piece.y0 - area_.y0} * samples_.width +
-                   (piece.x0 - area_.x0);
-    put_piece(references, motion, {out, samples_.width, columns, rows});
+    for (size_t p = 0; p < samples_.size(); ++p) {
+      for (unsigned i = 0; i < motion.count; ++i) {
+        const auto view = readers_[motion.images[i]][p].view(areas[i], buffers[i].data());
+        if (!view) return tl::unexpected(view.error());
+        references[i] = {*view, motion.vectors[i].fx, motion.vectors[i].fy};
+      }
+      const size_t stride = samples_[p].width;
+      int16_t* out = samples_[p].samples.data() + size_t{piece.y0 - area_.y0} * stride;
+      put_piece(references, motion, {out + (piece.x0 - area_.x0), stride, columns, rows});
+    }
     return {};
   }
 
@@ -215,17 +221,18 @@ class MotionPass {
     }
   }
 
-  Result<const ReferenceReader*> reader_of(ImagePos image) {
-    for (size_t i = 0; i < readers_.size(); ++i) {
-      if (resolver_.images()[i] != image) continue;
-      if (!readers_[i]) {
-        auto opened = ReferenceReader::open(sources_, level_, image, plane_);
-        if (!opened) return tl::unexpected(opened.error());
-        readers_[i].emplace(std::move(*opened));
-      }
-      return &*readers_[i];
+  // Which of K0 to K3 `image` is; its planes can be read afterwards.
+  Result<size_t> open_readers(ImagePos image) {
+    const auto& images = resolver_.images();
+    const auto i = static_cast<size_t>(std::ranges::find(images, image) - images.begin());
+    if (i == images.size()) return failure(ErrorCode::kBadMode);
+    while (readers_[i].size() < samples_.size()) {
+      const auto plane = static_cast<Plane>(static_cast<size_t>(plane_) + readers_[i].size());
+      auto opened = ReferenceReader::open(sources_, level_, image, plane);
+      if (!opened) return tl::unexpected(opened.error());
+      readers_[i].push_back(std::move(*opened));
     }
-    return failure(ErrorCode::kBadMode);
+    return i;
   }
 
   struct CachedMotion {
@@ -238,14 +245,14 @@ class MotionPass {
   int level_;
   ImagePos image_;
   Plane plane_;
-  SamplePlane& samples_;
+  std::span<SamplePlane> samples_;  // of plane_ and the planes after it
   MotionResolver resolver_;
   SampleRange range_;
   bool keyed_;
   PixelBox area_{};
   size_t motion_plane_ = 0;
   unsigned shift_ = 0;  // 1: the motion plane has twice the width and height
-  std::array<std::optional<ReferenceReader>, 4> readers_;  // of K0 to K3
+  std::array<std::vector<ReferenceReader>, 4> readers_;  // of K0 to K3, by plane
   std::shared_ptr<const DisparityPlane> disparities_;
   std::array<CachedMotion, 256> cached_;
 };
@@ -253,7 +260,7 @@ class MotionPass {
 }  // namespace
 
 Result<void> add_motion(const FastSources& sources, int level, ImagePos image, Plane plane,
-                        const BlockRect& rect, SamplePlane& samples) {
+                        const BlockRect& rect, std::span<SamplePlane> samples) {
   return MotionPass(sources, level, image, plane, rect, samples).run();
 }
 

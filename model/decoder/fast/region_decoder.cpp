@@ -28,12 +28,6 @@ class LevelPass {
         range_(sample_range(plane, sources.stream.header.depth)) {}
 
   Result<void> run() {
-    const ImagePos image{site_.image_row, site_.image_col};
-    if (sources_.stream.header.has(Feature::kMotionTiles) &&
-        !sources_.stream.geometry.is_reference(site_.level, image)) {
-      auto ok = hmlfc::add_motion(sources_, site_.level, image, site_.plane, rect_, samples_);
-      if (!ok) return ok;
-    }
     auto blocks = std::make_unique<TileBlocks>();
     for (uint32_t ty = rect_.by0 / kTileBlocks; ty * kTileBlocks < rect_.by1; ++ty) {
       for (uint32_t tx = rect_.bx0 / kTileBlocks; tx * kTileBlocks < rect_.bx1; ++tx) {
@@ -128,29 +122,37 @@ void copy_key(const SamplePlane& key, const BlockRect& rect, unsigned block_size
 }  // namespace
 
 Result<void> add_level(const FastSources& sources, int level, ImagePos image, Plane plane,
-                       const BlockRect& rect, SamplePlane& samples) {
+                       const BlockRect& rect, std::span<SamplePlane> samples) {
   const Geometry& geometry = sources.stream.geometry;
-  if (!geometry.is_key(level, image)) {
-    return LevelPass(sources, level, image, plane, rect, samples).run();
+  const bool is_key = geometry.is_key(level, image);
+  if (sources.stream.header.has(Feature::kMotionTiles) && !geometry.is_reference(level, image)) {
+    if (auto ok = add_motion(sources, level, image, plane, rect, samples); !ok) return ok;
   }
-  const auto key = sources.key_plane(level, image, plane);
-  if (!key) return tl::unexpected(key.error());
-  copy_key(**key, rect, geometry.block_size(), samples);
+  for (size_t p = 0; p < samples.size(); ++p) {
+    const auto at = static_cast<Plane>(static_cast<size_t>(plane) + p);
+    if (!is_key) {
+      if (auto ok = LevelPass(sources, level, image, at, rect, samples[p]).run(); !ok) return ok;
+      continue;
+    }
+    const auto key = sources.key_plane(level, image, at);
+    if (!key) return tl::unexpected(key.error());
+    copy_key(**key, rect, geometry.block_size(), samples[p]);
+  }
   return {};
 }
 
-Result<SamplePlane> decode_region(const FastSources& sources, int level, ImagePos image,
-                                  Plane plane, const BlockRect& rect) {
+Result<void> decode_region(const FastSources& sources, int level, ImagePos image, Plane plane,
+                           const BlockRect& rect, std::span<SamplePlane> samples) {
   const Geometry& geometry = sources.stream.geometry;
   const unsigned size = geometry.block_size();
-  SamplePlane samples((rect.bx1 - rect.bx0) * size, (rect.by1 - rect.by0) * size);
+  for (SamplePlane& region : samples) {
+    region = SamplePlane((rect.bx1 - rect.bx0) * size, (rect.by1 - rect.by0) * size);
+  }
   for (int l = first_level(geometry, level, image); l >= level; --l) {
     const ImagePos at = geometry.ancestor(image, level, l);
-    if (auto ok = add_level(sources, l, at, plane, rect, samples); !ok) {
-      return tl::unexpected(ok.error());
-    }
+    if (auto ok = add_level(sources, l, at, plane, rect, samples); !ok) return ok;
   }
-  return samples;
+  return {};
 }
 
 }  // namespace hmlfc
