@@ -1,6 +1,7 @@
 #include "decoder/key_images.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "arithmetic/rounding.hpp"
@@ -68,14 +69,10 @@ Result<uint64_t> codestream_bytes(const StreamView& stream, uint64_t key, Plane 
 }
 
 uint32_t sample_crc(const SamplePlane& plane) {
-  uint32_t crc = 0;
-  std::vector<uint8_t> bytes;
-  for (uint32_t y = 0; y < plane.height; ++y) {
-    bytes.clear();
-    for (const int16_t sample : plane.row(y)) append_le(bytes, static_cast<uint16_t>(sample));
-    crc = crc32c(bytes, crc);
-  }
-  return crc;
+  static_assert(std::endian::native == std::endian::little,
+                "the bytes in memory are those of KEY-3");
+  const auto* bytes = reinterpret_cast<const uint8_t*>(plane.samples.data());
+  return crc32c({bytes, plane.samples.size() * sizeof(int16_t)});
 }
 
 Result<void> check_top_table(const StreamView& stream) {
