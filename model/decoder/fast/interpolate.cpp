@@ -41,61 +41,65 @@ inline void store(D lanes, hn::Vec<D> values, int16_t* to) {
 // often have nearly the same vector. That may lie outside the plane: a prefetch never faults.
 constexpr uintptr_t kAhead = 128;
 
-// One reference from column x on, row after row. The weights of MOT-9 are products, so each row is
-// blended across once and serves two rows of sums.
-template <class D>
+// One reference from column x on.
 struct Taps {
-  using Lane = hn::TFromD<D>;
-
   Taps(const DisplacedReference& reference, unsigned x)
       : row(reference.view.data + x),
         stride(reference.view.stride),
         right(reference.fx == 0 ? 0 : 1),
         below(reference.fy == 0 ? 0 : reference.view.stride),
-        fx(hn::Set(D(), static_cast<Lane>(reference.fx))),
-        rest_x(hn::Set(D(), static_cast<Lane>(8 - reference.fx))),
-        fy(hn::Set(D(), static_cast<Lane>(reference.fy))),
-        rest_y(hn::Set(D(), static_cast<Lane>(8 - reference.fy))),
-        above(across()) {}
-
-  hn::Vec<D> across() const {
-    return hn::Add(hn::Mul(load(D(), row), rest_x), hn::Mul(load(D(), row + right), fx));
-  }
-
-  // I of the row; `step` leads to the next one, which has the weight fy.
-  hn::Vec<D> next(size_t step) {
-    row += step;
-    hwy::Prefetch(reinterpret_cast<const int16_t*>(reinterpret_cast<uintptr_t>(row) + kAhead));
-    const hn::Vec<D> here = across();
-    const hn::Vec<D> sums = hn::Add(hn::Mul(above, rest_y), hn::Mul(here, fy));
-    above = here;
-    return sums;
-  }
+        fx(static_cast<int16_t>(reference.fx)),
+        fy(static_cast<int16_t>(reference.fy)) {}
 
   const int16_t* row;
   size_t stride;
   size_t right;  // to the samples of weight fx
   size_t below;  // to the samples of weight fy
-  hn::Vec<D> fx, rest_x, fy, rest_y;
-  hn::Vec<D> above;
+  int16_t fx, fy;
 };
+
+// 8 times the row blended across. The weights of MOT-9 are products, so one serves two rows of
+// sums.
+template <class D>
+inline hn::Vec<D> across(D lanes, const Taps& taps) {
+  using Lane = hn::TFromD<D>;
+  hwy::Prefetch(reinterpret_cast<const int16_t*>(reinterpret_cast<uintptr_t>(taps.row) + kAhead));
+  return hn::Add(
+      hn::Mul(load(lanes, taps.row), hn::Set(lanes, static_cast<Lane>(8 - taps.fx))),
+      hn::Mul(load(lanes, taps.row + taps.right), hn::Set(lanes, static_cast<Lane>(taps.fx))));
+}
+
+// I of MOT-9.
+template <class D>
+inline hn::Vec<D> down(D lanes, const Taps& taps, hn::Vec<D> above, hn::Vec<D> here) {
+  using Lane = hn::TFromD<D>;
+  return hn::Add(hn::Mul(above, hn::Set(lanes, static_cast<Lane>(8 - taps.fy))),
+                 hn::Mul(here, hn::Set(lanes, static_cast<Lane>(taps.fy))));
+}
 
 // The lanes of D from column x on.
 template <unsigned kReferences, class D>
 void put_columns(D lanes, const std::array<DisplacedReference, 2>& references,
                  const PredictionTarget& target, unsigned x) {
-  Taps<D> first(references[0], x);
-  Taps<D> second(references[kReferences - 1], x);
+  Taps first(references[0], x);
+  Taps second(references[kReferences - 1], x);
   const hn::Vec<D> half = hn::Set(lanes, 32 * kReferences);
+  hn::Vec<D> above = across(lanes, first);
+  hn::Vec<D> second_above = across(lanes, second);
   int16_t* out = target.data + x;
-  const auto put = [&](size_t first_step, size_t second_step) {
-    hn::Vec<D> sums = first.next(first_step);
-    if constexpr (kReferences == 2) sums = hn::Add(sums, second.next(second_step));
-    store(lanes, hn::ShiftRight<5 + kReferences>(hn::Add(sums, half)), out);
-    out += target.stride;
-  };
-  for (unsigned y = 1; y < target.rows; ++y) put(first.stride, second.stride);
-  put(first.below, second.below);
+  for (unsigned y = 1; y <= target.rows; ++y, out += target.stride) {
+    first.row += y < target.rows ? first.stride : first.below;
+    const hn::Vec<D> here = across(lanes, first);
+    hn::Vec<D> sums = hn::Add(down(lanes, first, above, here), half);
+    above = here;
+    if constexpr (kReferences == 2) {
+      second.row += y < target.rows ? second.stride : second.below;
+      const hn::Vec<D> second_here = across(lanes, second);
+      sums = hn::Add(sums, down(lanes, second, second_above, second_here));
+      second_above = second_here;
+    }
+    store(lanes, hn::ShiftRight<5 + kReferences>(sums), out);
+  }
 }
 
 // Columns [x, columns): kLanes at a time, and what is left half as many at a time. Sum holds all
