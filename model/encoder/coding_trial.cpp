@@ -19,8 +19,6 @@
 namespace hmlfc {
 namespace {
 
-// Weight of a squared error of Y, Co and Cg in R, G and B together.
-constexpr std::array<double, kPlaneCount> kRgbSquares{3, 0.5, 0.75};
 // Bits of the index for a record, and for a tile with or without one.
 constexpr double kRecordBits = 10;
 constexpr double kTileBits = 2;
@@ -96,27 +94,29 @@ class Trial {
         sample_(sampled_part(geometry_, spread_images(geometry_, images))) {
     EncodeObserver observer;
     observer.reconstructed = [&](int level, ImagePos at, const ImagePlanes& planes) {
-      if (level > 0 || geometry_.is_reference(0, at)) return;
+      if (level > 0) return;
+      const bool key = geometry_.is_reference(0, at);
       const ErrorSums error = view_error(part_, at, planes, header_.chroma_format);
       const std::scoped_lock lock(mutex_);
-      error_.add(error);  // integers: threads may add in any order
-      ++predictive_.images;
+      (key ? key_error_ : error_).add(error);  // integers: threads may add in any order
+      ++(key ? keys_ : predictive_).images;
     };
     coded_ = session_.no_images();
     session_.encode_part(params, sample_, observer, coded_);
   }
 
-  // `scale`: pixels of a whole view to one of the part. The key images are those of whole views.
-  TrialResult result(double scale, const TrialResult& keys) {
+  // `scale`: pixels of a whole view to one of the part. `key_bits`: of a key image of whole views.
+  TrialResult result(double scale, double key_bits) {
     const auto images = static_cast<double>(geometry_.level(0).images());
     const auto groups = static_cast<double>(geometry_.key_count());
     Share disparities;
     add_bits(disparities);
     predictive_.sum.rgb_squares = static_cast<double>(error_.rgb_squares);
+    keys_.sum.rgb_squares = static_cast<double>(key_error_.rgb_squares);
     const TrialResult predicted = predictive_.of_all(images - groups);
     const TrialResult shared = disparities.of_all(groups);
-    return {predicted.rgb_squares * scale + groups * keys.rgb_squares,
-            (predicted.bits + shared.bits) * scale + groups * keys.bits};
+    return {(predicted.rgb_squares + keys_.of_all(groups).rgb_squares) * scale,
+            (predicted.bits + shared.bits) * scale + groups * key_bits};
   }
 
  private:
@@ -151,24 +151,24 @@ class Trial {
   EncodePart sample_;
   CodedImages coded_;
   Share predictive_;
+  Share keys_;
   ErrorSums error_;  // of the predictive images
+  ErrorSums key_error_;
   std::mutex mutex_;
 };
 
-// One key image of whole views, as the probe measured it.
-TrialResult key_image(const StreamHeader& header, const EncodeParams& params,
+// The bits of one key image of whole views, as the probe measured it.
+double key_image_bits(const StreamHeader& header, const EncodeParams& params,
                       const LightFieldProbe& probe) {
   const PlaneTargets targets = plane_targets(header, params, probe);
   const Geometry geometry(header);
-  const double pixels = static_cast<double>(header.width) * header.height;
-  TrialResult key;
+  double bits = 0;
   for (const Plane plane : kPlanes) {
     const auto p = static_cast<size_t>(plane);
     const PlaneShape& shape = geometry.plane(plane);
-    key.rgb_squares += kRgbSquares[p] * targets[p].key.error * pixels;
-    key.bits += targets[p].key.bits * static_cast<double>(shape.width) * shape.height;
+    bits += targets[p].key.bits * static_cast<double>(shape.width) * shape.height;
   }
-  return key;
+  return bits;
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
     return static_cast<double>(shape.width) * shape.height;
   };
   return Trial(part, *header, params, probe, images)
-      .result(pixels(whole) / pixels(part.shape()), key_image(*whole_header, params, probe));
+      .result(pixels(whole) / pixels(part.shape()), key_image_bits(*whole_header, params, probe));
 }
 
 }  // namespace hmlfc

@@ -197,6 +197,7 @@ EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& s
       }
     }
   }
+  if (sample.empty()) level.references.push_back(geometry.reference_of(0, {0, 0}));
   level.known.resize(level.references.size());
   level.predicts = !sample.empty();
   for (const ImagePos at : level.references) {

@@ -43,8 +43,8 @@ bool owns(const ViewRange& views, const StreamHeader& header, int level, ImagePo
 /// Returns the part that is the whole.
 EncodePart whole_part(const Geometry& geometry);
 
-/// Takes of level 0 only the images `sample`, which are predictive, and what they refer to. The
-/// tree has one level.
+/// Takes of level 0 only the images `sample`, which are predictive, and what they refer to; one
+/// reference image if there are none. The tree has one level.
 EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& sample);
 
 /// The images that belong to `views`, and all that coding them depends on. `known`: whether a key

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "bits/parallel.hpp"
+#include "encoder/key_refinement.hpp"
 #include "encoder/motion_prediction.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
@@ -18,8 +19,17 @@ constexpr int32_t kReach = 2;
 constexpr unsigned kProbeGridLog2 = 4;
 // A lambda with which no residual ever pays: squared errors count as they are.
 constexpr int64_t kNoResidual = int64_t{1} << 40;
+// The lambda of quality 60, and the images of a group of 5x5: what a key image costs hardly depends
+// on either.
+constexpr Lambda kUsualLambda{int64_t{256} << 5};
+constexpr size_t kUsualImages = 24;
 
 ImagePos middle_of(const LightFieldShape& shape) { return {shape.rows / 2, shape.cols / 2}; }
+
+ImagePos moved(ImagePos at, int32_t rows, int32_t cols) {
+  return {static_cast<uint32_t>(static_cast<int32_t>(at.row) + rows),
+          static_cast<uint32_t>(static_cast<int32_t>(at.col) + cols)};
+}
 
 // Moves along a line of `count` views from the one in its middle.
 std::vector<int32_t> moves(uint32_t count) {
@@ -64,8 +74,7 @@ class DisparityProbe {
     if (rows == 0 && cols == 0) return;
     farthest_ = std::max({farthest_, std::abs(rows), std::abs(cols)});
     targets_.push_back({nullptr, {nullptr, -rows, -cols}, {}});
-    planes_.push_back(luma({static_cast<uint32_t>(static_cast<int32_t>(middle().row) + rows),
-                            static_cast<uint32_t>(static_cast<int32_t>(middle().col) + cols)}));
+    planes_.push_back(luma(moved(middle(), rows, cols)));
   }
 
   const ViewProvider& views_;
@@ -88,9 +97,45 @@ void probe_disparities(const ViewProvider& views, const StreamHeader& header,
   found.row_scale = -16;
 }
 
+// The view in the middle as a key image of a usual group, refined for the views around it.
+ImagePlanes middle_key(const ViewProvider& views, StreamHeader header,
+                       const LightFieldProbe& found) {
+  const ImagePos middle = middle_of(views.shape());
+  const Geometry geometry(header);
+  ImagePlanes key = view_planes(views, geometry, middle);
+  if (!header.has(Feature::kSharedDisparity)) return key;
+  header.row_scale = found.row_scale;
+  const PaddedPlane reference(key[0], header.width, header.height, header.window + 10);
+  DisparitySearch search = disparity_search(header);
+  search.bound = reference_bound(Plane::kY, header.depth, true);
+  search.lambda = kUsualLambda;
+  std::vector<RefinementTarget> targets;
+  for (const int32_t rows : moves(header.rows)) {
+    for (const int32_t cols : moves(header.cols)) {
+      if (rows == 0 && cols == 0) continue;
+      const ImagePos at = moved(middle, rows, cols);
+      targets.push_back({view_planes(views, geometry, at), at, {}, {}});
+      search.targets.push_back({nullptr, {&reference, -rows, -cols}, {}});
+    }
+  }
+  for (size_t i = 0; i < targets.size(); ++i) search.targets[i].plane = &targets[i].planes[0];
+  search.images = std::max(targets.size(), kUsualImages);
+  if (targets.empty()) return key;
+  const DisparityGrid grid = search_disparities(search, found.disparities);
+  refine_key({header,
+              geometry,
+              middle,
+              grid,
+              targets,
+              search.images,
+              {kUsualLambda, kUsualLambda, kUsualLambda}},
+             key);
+  return key;
+}
+
 void probe_keys(const ViewProvider& views, const StreamHeader& header, LightFieldProbe& found) {
   const Geometry geometry(header);
-  const ImagePlanes planes = view_planes(views, geometry, middle_of(views.shape()));
+  const ImagePlanes planes = middle_key(views, header, found);
   parallel_for(planes.size(), [&](size_t p) {
     const PlaneShape& shape = geometry.plane(kPlanes[p]);
     found.keys[p] = KeyCurve(cropped(planes[p], shape.width, shape.height),

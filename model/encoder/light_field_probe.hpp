@@ -14,9 +14,10 @@ namespace hmlfc {
 /// How far the views of a light field move against each other, and what key images cost. Neither
 /// depends on reference groups or quality.
 struct LightFieldProbe {
-  DisparityRange disparities;              ///< in units of the header's disparity_precision
-  int row_scale = 16;                      ///< 16, or -16 where rows run against their parallax
-  std::array<KeyCurve, kPlaneCount> keys;  ///< of the view in the middle; empty without lossy_keys
+  DisparityRange disparities;  ///< in units of the header's disparity_precision
+  int row_scale = 16;          ///< 16, or -16 where rows run against their parallax
+  std::array<KeyCurve, kPlaneCount>
+      keys;  ///< of the refined view in the middle; none: without loss
 };
 
 /// Looks at the views around the middle of the grid, up to 12 samples of disparity per view. What

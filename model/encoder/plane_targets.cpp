@@ -32,14 +32,17 @@ Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
 // The share of a key image's error that is left in an image predicted from it: two references
 // average it, and residuals take some of it away. In the key image itself all of it is seen.
 constexpr double kSeenError = 0.45;
+constexpr double kSeenErrorOfOne = 0.7;  // without a tree and with one key image: no second one
 
 // Returns the weight of a key image's error: in itself, and in the images predicted from it.
 double key_weight(const StreamHeader& header, const EncodeParams& params) {
   const Geometry geometry(header);
   const double images_per_key =
       static_cast<double>(geometry.level(0).images()) / static_cast<double>(geometry.key_count());
+  const bool one = header.tree_height == 0 && geometry.key_count() == 1;
+  const double seen = one ? kSeenErrorOfOne : kSeenError;
   const double factor = params.extended.key_weight > 0 ? params.extended.key_weight : 1;
-  return factor * (1 + kSeenError * (images_per_key - 1));
+  return factor * (1 + seen * (images_per_key - 1));
 }
 
 }  // namespace
