@@ -73,11 +73,14 @@ def simulate(hmlfc: pathlib.Path, folder: pathlib.Path, netlist: pathlib.Path | 
 def synthesise(folder: pathlib.Path) -> None:
     """Writes ulx3s.json. Parts are mapped alone before all is flattened: as one piece the unit takes too long."""
     (folder / "area.abc").write_text(AREA, encoding="utf-8")
+    # Wide memories of few words that LUTs would take.
+    block_rams = " ".join(f"*/*{name}.words" for name in ("lines_of", "descriptors.storage", "list.storage"))
     parts = " ".join(f"*hmlfc_{name}*/t:*hmlfc_*" for name in ("decode_unit", "view_dma", "references", "tile_stores"))
     run("yosys", "-q", "-l", folder / "yosys.log", "-p",
         f"verilog_defaults -add -I{RTL}; read_verilog -sv {RTL}/hmlfc_pkg.sv {HERE}/*.sv; "
         f"hierarchy -check -top ulx3s {file_list.library(RTL)}; rename -top ulx3s; setattr -set keep_hierarchy 1 {parts}; "
-        "synth_ecp5 -noabc9 -nowidelut -top ulx3s -run begin:map_luts; "
+        "synth_ecp5 -noabc9 -nowidelut -top ulx3s -run begin:map_ram; "
+        f"setattr -set ram_style \"block\" {block_rams}; synth_ecp5 -noabc9 -nowidelut -top ulx3s -run map_ram:map_luts; "
         "setattr -mod -unset keep_hierarchy *; setattr -unset keep_hierarchy */t:*; flatten; opt_clean; "
         f"techmap -map +/ecp5/latches_map.v; abc -script {folder}/area.abc -lut 4; clean; "
         "techmap -map +/ecp5/cells_map.v; opt_lut_ins -tech lattice; clean; "
