@@ -33,7 +33,6 @@ WORDS = rules(
     (r"--grid (1x101|17x17)", "--grid 9x9", "as many views as the sandbox has"),
     (r"--rect 64,32,128,96", "--rect 8,8,32,24", "inside the small views"),
     (r"--frames \d+", "--frames 2", "frames are alike"),
-    (r"--views (8|12|all)\b", "--views 1", "views are alike"),
     (r"(fuzz-dut .*)--(minutes 60|count 100000)", r"\1--count 2", "minutes are its smallest unit"),
     (r"(minimise .*)--dut '[^']*'", r"""\1--dut 'sh -c "exit 1" {input} {output}' --trials 20""",
      "the decoder in the sandbox does not fail"),
