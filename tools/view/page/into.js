@@ -92,7 +92,7 @@ export class Into {
       });
     }
     any("totals").addEventListener("toggle", () => void showTotals(), { once: true });
-    any("save-csv").addEventListener("click", () => offerCsv(element("save-csv", HTMLAnchorElement), this.blocks));
+    any("save-csv").addEventListener("click", (event) => this.blocks ? offerCsv(element("save-csv", HTMLAnchorElement), this.blocks) : event.preventDefault());
     prepareFind((words) => this.stepToError(1, words));
     prepareSplitBar("split");
   }
