@@ -138,8 +138,9 @@ class ExtendedLevel final : public LevelDecisions {
       }
     }
     KeyRefinement task{header_, geometry_,      reference, group(reference).grid,
-                       targets, members.size(), {}};
+                       targets, members.size(), {},        {}};
     for (size_t p = 0; p < kPlaneCount; ++p) {
+      task.steps[p] = settings_.targets[p].key.steps;
       task.lambdas[p] = settings_.targets[p].residuals.lambda;
     }
     refine_key(task, key);

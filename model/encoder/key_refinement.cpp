@@ -13,8 +13,6 @@
 namespace hmlfc {
 namespace {
 
-// More steps sharpen a key image further and cost more bits than that gains.
-constexpr int kSteps = 2;
 // A plane is refined if the first step lowers the sum by this share, at least. Noise and blur give
 // more; what is encoded again after decoding has less to gain, and would drift from its original.
 constexpr int64_t kLeastGainDivisor = 20;
@@ -44,16 +42,22 @@ class PlaneRefinement {
     for (const int16_t sample : key.samples) fine_.push_back(sample * (1 << kFractionBits));
   }
 
-  void run() {
+  // What the key image at hand leaves of the targets.
+  int64_t measure() {
     const size_t size =
         static_cast<size_t>(stride_) * (shape_.height + 2 * static_cast<size_t>(pad_));
+    const PaddedPlane reference(key_, shape_.width, shape_.height, pad_);
+    errors_.assign(size, 0);
+    weights_.assign(size, 0);
+    left_ = 0;
+    for (const RefinementTarget& target : task_.targets) add(target, reference);
+    return left_;
+  }
+
+  void run() {
     int64_t unrefined = 0;
-    for (int step = 0; step < kSteps; ++step) {
-      const PaddedPlane reference(key_, shape_.width, shape_.height, pad_);
-      errors_.assign(size, 0);
-      weights_.assign(size, 0);
-      left_ = 0;
-      for (const RefinementTarget& target : task_.targets) add(target, reference);
+    for (int step = 0; step < task_.steps[plane_]; ++step) {
+      measure();
       const int64_t sum = left_ + own_weight_ * own_error() / (kWeight * kTapSum);
       if (step == 0) unrefined = sum;
       if (step == 1 && sum > unrefined - unrefined / kLeastGainDivisor) {
@@ -255,6 +259,15 @@ class PlaneRefinement {
 void refine_key(const KeyRefinement& task, ImagePlanes& key) {
   if (task.targets.empty()) return;
   parallel_for(kPlaneCount, [&](size_t p) { PlaneRefinement(task, p, key[p]).run(); });
+}
+
+double prediction_error(const KeyRefinement& task, Plane plane, const SamplePlane& key) {
+  const auto p = static_cast<size_t>(plane);
+  const PlaneShape& shape = task.geometry.plane(plane);
+  SamplePlane samples = key;
+  const auto sum = static_cast<double>(PlaneRefinement(task, p, samples).measure());
+  return sum / (static_cast<double>(shape.width) * shape.height *
+                static_cast<double>(task.targets.size()));
 }
 
 }  // namespace hmlfc

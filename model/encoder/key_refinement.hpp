@@ -34,12 +34,17 @@ struct KeyRefinement {
   std::span<const RefinementTarget> targets;
   size_t images = 0;  ///< that the targets stand for, at least their number
   std::array<Lambda, kPlaneCount> lambdas;
+  std::array<int, kPlaneCount> steps;  ///< each at least 2
 };
 
 /// Makes of `key`, which is the view, an image that is nearer to the least sum of two things: what
 /// is left of the images of the group (ResidualEstimate), each of their grid blocks predicted with
-/// its disparity, and the squared error of `key` against the view. A few steps of SIRT, the
+/// its disparity, and the squared error of `key` against the view. `steps` of SIRT, the
 /// simultaneous iterative reconstruction technique of tomography, in integers.
 void refine_key(const KeyRefinement& task, ImagePlanes& key);
+
+/// The mean squared error of one plane of all targets, each of their grid blocks predicted from
+/// `key` with its disparity. `key` has the size of whole blocks.
+double prediction_error(const KeyRefinement& task, Plane plane, const SamplePlane& key);
 
 }  // namespace hmlfc

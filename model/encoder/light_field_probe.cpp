@@ -23,6 +23,12 @@ constexpr int64_t kNoResidual = int64_t{1} << 40;
 // on either.
 constexpr Lambda kUsualLambda{int64_t{256} << 5};
 constexpr size_t kUsualImages = 24;
+// Steps of the refinement of key images that are tried. More sharpen an image further and cost
+// bits; where there is noise, they take it out.
+constexpr std::array kRefinementSteps{2, 4};
+// The share of a key image's error that is left in an image interpolated from it, where there is
+// none to measure it in.
+constexpr double kInterpolatedError = 0.65;
 
 ImagePos middle_of(const LightFieldShape& shape) { return {shape.rows / 2, shape.cols / 2}; }
 
@@ -97,58 +103,92 @@ void probe_disparities(const ViewProvider& views, const StreamHeader& header,
   found.row_scale = -16;
 }
 
-// The view in the middle as a key image of a usual group, refined for the views around it.
-ImagePlanes middle_key(const ViewProvider& views, StreamHeader header,
-                       const LightFieldProbe& found) {
-  const ImagePos middle = middle_of(views.shape());
-  const Geometry geometry(header);
-  ImagePlanes key = view_planes(views, geometry, middle);
-  if (!header.has(Feature::kSharedDisparity)) return key;
-  header.row_scale = found.row_scale;
-  const PaddedPlane reference(key[0], header.width, header.height, header.window + 10);
-  DisparitySearch search = disparity_search(header);
-  search.bound = reference_bound(Plane::kY, header.depth, true);
-  search.lambda = kUsualLambda;
-  std::vector<RefinementTarget> targets;
-  for (const int32_t rows : moves(header.rows)) {
-    for (const int32_t cols : moves(header.cols)) {
-      if (rows == 0 && cols == 0) continue;
-      const ImagePos at = moved(middle, rows, cols);
-      targets.push_back({view_planes(views, geometry, at), at, {}, {}});
-      search.targets.push_back({nullptr, {&reference, -rows, -cols}, {}});
-    }
+// The view in the middle as a key image of a usual group, and the views around it.
+class KeyProbe {
+ public:
+  KeyProbe(const ViewProvider& views, const StreamHeader& header, const LightFieldProbe& found)
+      : views_(views),
+        header_(header),
+        geometry_(header),
+        middle_(middle_of(views.shape())),
+        view_(view_planes(views, geometry_, middle_)) {
+    header_.row_scale = found.row_scale;
+    if (header.has(Feature::kSharedDisparity)) find_targets(found.disparities);
   }
-  for (size_t i = 0; i < targets.size(); ++i) search.targets[i].plane = &targets[i].planes[0];
-  search.images = std::max(targets.size(), kUsualImages);
-  if (targets.empty()) return key;
-  const DisparityGrid grid = search_disparities(search, found.disparities);
-  refine_key({header,
-              geometry,
-              middle,
-              grid,
-              targets,
-              search.images,
-              {kUsualLambda, kUsualLambda, kUsualLambda}},
-             key);
-  return key;
-}
 
-void probe_keys(const ViewProvider& views, const StreamHeader& header, LightFieldProbe& found) {
-  const Geometry geometry(header);
-  const ImagePlanes planes = middle_key(views, header, found);
-  parallel_for(planes.size(), [&](size_t p) {
-    const PlaneShape& shape = geometry.plane(kPlanes[p]);
-    found.keys[p] = KeyCurve(cropped(planes[p], shape.width, shape.height),
-                             {header.depth + (p > 0 ? 1 : 0), p > 0});
-  });
-}
+  // The curves of the view, refined for the views around it in different numbers of steps.
+  std::array<std::vector<KeyCurve>, kPlaneCount> curves() const {
+    std::array<std::vector<KeyCurve>, kPlaneCount> curves;
+    for (const int steps : kRefinementSteps) {
+      if (targets_.empty() && !curves[0].empty()) break;
+      ImagePlanes key = view_;
+      refine_key(task(kUsualLambda, steps), key);
+      for (auto& plane : curves) plane.emplace_back();
+      parallel_for(kPlaneCount, [&](size_t p) {
+        const PlaneShape& shape = geometry_.plane(kPlanes[p]);
+        curves[p].back() = KeyCurve(cropped(key[p], shape.width, shape.height), steps,
+                                    {header_.depth + (p > 0 ? 1 : 0), p > 0},
+                                    [&](const SamplePlane& coded) { return errors(p, coded); });
+      });
+    }
+    return curves;
+  }
+
+ private:
+  void find_targets(const DisparityRange& disparities) {
+    const PaddedPlane reference(view_[0], header_.width, header_.height, header_.window + 10);
+    DisparitySearch search = disparity_search(header_);
+    search.bound = reference_bound(Plane::kY, header_.depth, true);
+    search.lambda = kUsualLambda;
+    for (const int32_t rows : moves(header_.rows)) {
+      for (const int32_t cols : moves(header_.cols)) {
+        if (rows == 0 && cols == 0) continue;
+        const ImagePos at = moved(middle_, rows, cols);
+        targets_.push_back({view_planes(views_, geometry_, at), at, {}, {}});
+        search.targets.push_back({nullptr, {&reference, -rows, -cols}, {}});
+      }
+    }
+    if (targets_.empty()) return;
+    for (size_t i = 0; i < targets_.size(); ++i) search.targets[i].plane = &targets_[i].planes[0];
+    search.images = std::max(targets_.size(), kUsualImages);
+    grid_ = search_disparities(search, disparities);
+  }
+
+  KeyRefinement task(Lambda lambda, int steps) const {
+    const size_t images = std::max(targets_.size(), kUsualImages);
+    return {header_,
+            geometry_,
+            middle_,
+            grid_,
+            targets_,
+            images,
+            {lambda, lambda, lambda},
+            {steps, steps, steps}};
+  }
+
+  KeyErrors errors(size_t p, const SamplePlane& decoded) const {
+    const PlaneShape& shape = geometry_.plane(kPlanes[p]);
+    const double own = mean_squared_error(cropped(view_[p], shape.width, shape.height), decoded);
+    if (targets_.empty()) return {own, kInterpolatedError * own};
+    return {own, prediction_error(task({kNoResidual}, 0), kPlanes[p],
+                                  in_whole_blocks(decoded, shape, geometry_.block_size()))};
+  }
+
+  const ViewProvider& views_;
+  StreamHeader header_;
+  Geometry geometry_;
+  ImagePos middle_;
+  ImagePlanes view_;
+  std::vector<RefinementTarget> targets_;
+  DisparityGrid grid_;
+};
 
 }  // namespace
 
 LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header) {
   LightFieldProbe found;
   if (header.has(Feature::kSharedDisparity)) probe_disparities(views, header, found);
-  if (header.has(Feature::kLossyKeys)) probe_keys(views, header, found);
+  if (header.has(Feature::kLossyKeys)) found.keys = KeyProbe(views, header, found).curves();
   return found;
 }
 

@@ -17,7 +17,7 @@ struct LightFieldProbe {
   DisparityRange disparities;  ///< in units of the header's disparity_precision
   int row_scale = 16;          ///< 16, or -16 where rows run against their parallax
   /// Of the view in the middle, refined for those around it; empty without lossy_keys.
-  std::array<KeyCurve, kPlaneCount> keys;
+  std::array<std::vector<KeyCurve>, kPlaneCount> keys;
 };
 
 /// Looks at the views around the middle of the grid, up to 12 samples of disparity per view. What

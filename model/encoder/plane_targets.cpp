@@ -1,5 +1,6 @@
 #include "encoder/plane_targets.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "arithmetic/reconstruct.hpp"
@@ -29,12 +30,12 @@ Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
   return lambda;
 }
 
-// The share of a key image's error that is left in an image predicted from it: two references
-// average it, and residuals take some of it away. In the key image itself all of it is seen.
-constexpr double kSeenError = 0.45;
-constexpr double kSeenErrorOfOne = 0.7;  // without a tree and with one key image: no second one
+// The share of the error in an image predicted from one key image that is left: a second reference
+// averages it, and residuals take some of it away.
+constexpr double kSeenError = 0.8;
+constexpr double kSeenErrorOfOne = 1;  // without a tree and with one key image: no second one
 
-// Returns the weight of a key image's error: in itself, and in the images predicted from it.
+// Returns the weight of the error in images predicted from a key image; of its own it is 1.
 double key_weight(const StreamHeader& header, const EncodeParams& params) {
   const Geometry geometry(header);
   const double images_per_key =
@@ -42,7 +43,7 @@ double key_weight(const StreamHeader& header, const EncodeParams& params) {
   const bool one = header.tree_height == 0 && geometry.key_count() == 1;
   const double seen = one ? kSeenErrorOfOne : kSeenError;
   const double factor = params.extended.key_weight > 0 ? params.extended.key_weight : 1;
-  return factor * (1 + seen * (images_per_key - 1));
+  return factor * seen * (images_per_key - 1);
 }
 
 }  // namespace
@@ -76,7 +77,9 @@ PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& param
     rules.lambda = plane_lambda(lambda, plane, header.chroma_format);
     rules.step_code = step_code_of(rules.lambda);
     if (params.lossless) continue;
-    target.key = probe.keys[static_cast<size_t>(plane)].cheapest(weight, rules.lambda);
+    const auto& curves = probe.keys[static_cast<size_t>(plane)];
+    const auto cost = [&](const KeyCurve& curve) { return curve.cost(weight, rules.lambda); };
+    target.key = std::ranges::min_element(curves, {}, cost)->cheapest(weight, rules.lambda);
   }
   return targets;
 }

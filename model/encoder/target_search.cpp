@@ -112,6 +112,9 @@ std::unique_ptr<Coarseness> coarseness_of(const EncodeParams& params) {
   return std::make_unique<QualityLoss>(params.extended);
 }
 
+// A search goes so many times farther than its axis says, at most.
+constexpr double kMostPace = 8;
+
 class TargetSearch {
  public:
   TargetSearch(const LightFieldShape& shape, const EncodeParams& params, const EncodeGoal& goal,
@@ -142,14 +145,26 @@ class TargetSearch {
   }
 
   // Aims at the middle of what is near enough.
-  int64_t next_try() const {
+  int64_t next_try() {
     const double aim = (goal_.is_least() ? 0.5 : -0.5) * goal_.tolerance_db();
     const auto off = [&](const Attempt& attempt) {
       return Attempt{attempt.coarseness, attempt.surplus_db - aim};
     };
-    if (!fine_) return axis_->finer(off(*coarse_));
-    if (!coarse_) return axis_->coarser(off(*fine_));
+    if (!fine_) return axis_->finer(farther(off(*coarse_)));
+    if (!coarse_) return axis_->coarser(farther(off(*fine_)));
     return axis_->between(off(*fine_), off(*coarse_));
+  }
+
+  // With the surplus as what the axis takes for a step comes to so far: on noise, PSNR hardly moves
+  // with quality. `at` is the last attempt, all before were on its side.
+  Attempt farther(Attempt at) {
+    if (last_off_ != 0) {
+      const double gained = (last_off_ - at.surplus_db) / (last_off_ * pace_);
+      pace_ = gained > 0 ? std::clamp(1 / gained, 1.0, kMostPace) : kMostPace;
+    }
+    last_off_ = at.surplus_db;
+    at.surplus_db *= pace_;
+    return at;
   }
 
   void attempt(int64_t coarseness) {
@@ -174,6 +189,8 @@ class TargetSearch {
   std::optional<Attempt> coarse_;  // the finest so far that is not
   EncodedStream best_;             // the last that meets the target, else the last
   bool any_met_ = false;
+  double last_off_ = 0;  // the surplus that farther() began with before, 0 at first
+  double pace_ = 1;      // times the steps that the axis takes
 };
 
 }  // namespace

@@ -85,7 +85,11 @@ TEST(KeyCurve, ErrorsGrowWithLambdaAndFallWithWeight) {
       plane.row(y)[x] = static_cast<int16_t>(field.view(0, 0).samples[(y * 96 + x) * 3]);
     }
   }
-  const KeyCurve curve(plane, {8, false});
+  const auto alike = [&](const SamplePlane& coded) {
+    const double error = mean_squared_error(plane, coded);
+    return KeyErrors{error, error};
+  };
+  const KeyCurve curve(plane, 2, {8, false}, alike);
   double last = 0;
   for (const int64_t lambda : {1 << 8, 1 << 11, 1 << 14, 1 << 17}) {
     const KeyPoint point = curve.cheapest(4, {lambda});
@@ -95,6 +99,11 @@ TEST(KeyCurve, ErrorsGrowWithLambdaAndFallWithWeight) {
     last = point.asked;
   }
   EXPECT_GT(last, curve.cheapest(4, {1 << 8}).asked);
+  // Where predictions do not suffer, as from noise, a key image is worth less.
+  const KeyCurve of_noise(plane, 2, {8, false}, [&](const SamplePlane& coded) {
+    return KeyErrors{mean_squared_error(plane, coded), 30};
+  });
+  EXPECT_GT(of_noise.cheapest(4, {1 << 8}).asked, curve.cheapest(4, {1 << 8}).asked);
 }
 
 }  // namespace

@@ -76,9 +76,15 @@ class KeyRefinementCase : public testing::TestWithParam<Scene> {
 
   ImagePlanes refined(ImagePlanes key) {
     const Lambda lambda{256 * 40};
-    refine_key(
-        {header_, *geometry_, kKey, grid_, targets_, targets_.size(), {lambda, lambda, lambda}},
-        key);
+    refine_key({header_,
+                *geometry_,
+                kKey,
+                grid_,
+                targets_,
+                targets_.size(),
+                {lambda, lambda, lambda},
+                {2, 2, 2}},
+               key);
     return key;
   }
 
