@@ -42,22 +42,16 @@ class PlaneRefinement {
     for (const int16_t sample : key.samples) fine_.push_back(sample * (1 << kFractionBits));
   }
 
-  // What the key image at hand leaves of the targets.
-  int64_t measure() {
+  void run() {
     const size_t size =
         static_cast<size_t>(stride_) * (shape_.height + 2 * static_cast<size_t>(pad_));
-    const PaddedPlane reference(key_, shape_.width, shape_.height, pad_);
-    errors_.assign(size, 0);
-    weights_.assign(size, 0);
-    left_ = 0;
-    for (const RefinementTarget& target : task_.targets) add(target, reference);
-    return left_;
-  }
-
-  void run() {
     int64_t unrefined = 0;
     for (int step = 0; step < task_.steps[plane_]; ++step) {
-      measure();
+      const PaddedPlane reference(key_, shape_.width, shape_.height, pad_);
+      errors_.assign(size, 0);
+      weights_.assign(size, 0);
+      left_ = 0;
+      for (const RefinementTarget& target : task_.targets) add(target, reference);
       const int64_t sum = left_ + own_weight_ * own_error() / (kWeight * kTapSum);
       if (step == 0) unrefined = sum;
       if (step == 1 && sum > unrefined - unrefined / kLeastGainDivisor) {
@@ -68,8 +62,41 @@ class PlaneRefinement {
     }
   }
 
+  CodingLoss loss(const SamplePlane& coded_key) {
+    const PaddedPlane fine(key_, shape_.width, shape_.height, pad_);
+    const PaddedPlane coded(coded_key, shape_.width, shape_.height, pad_);
+    int64_t blocks = 0;
+    int64_t before = 0;
+    int64_t well = 0;
+    int64_t sum = 0;
+    for (const RefinementTarget& target : task_.targets) {
+      for_each_block([&](const Area& area, int32_t disparity) {
+        const SubpelVector v = vector(disparity, task_.key, target.at);
+        predict({displaced(fine, area.x, area.y, v)}, 1, area, one_);
+        predict({displaced(coded, area.x, area.y, v)}, 1, area, both_);
+        for (int32_t y = 0; y < area.height; y += kSquare) {
+          for (int32_t x = 0; x < area.width; x += kSquare) {
+            const int32_t least = energy(target.planes[plane_], area, x, y, one_);
+            ++blocks;
+            before += std::min(least, kWellPredicted);
+            if (least > kWellPredicted) continue;
+            ++well;
+            sum += energy(target.planes[plane_], area, x, y, both_) - least;
+          }
+        }
+      });
+    }
+    const auto mean = [](int64_t energies, int64_t count) {
+      return static_cast<double>(energies) / static_cast<double>(count * kSquare * kSquare);
+    };
+    return {mean(before, blocks), static_cast<double>(well) / static_cast<double>(blocks),
+            well > 0 ? mean(sum, well) : 0};
+  }
+
  private:
   static constexpr int32_t kSquare = 4;
+  // The energy of a square in a prediction that misses: what is seen elsewhere, or hidden.
+  static constexpr int32_t kWellPredicted = 2600;
   static constexpr int32_t kMaxBlock = 32;
   static constexpr int32_t kWeight = 16;   // of a sample that is predicted from one reference
   static constexpr int64_t kTapSum = 64;   // of tap_weights()
@@ -104,7 +131,9 @@ class PlaneRefinement {
     return sum;
   }
 
-  void add(const RefinementTarget& target, const PaddedPlane& reference) {
+  // Calls work(area, disparity) for each grid block.
+  template <typename Work>
+  void for_each_block(const Work& work) const {
     for (uint32_t gy = 0; gy < task_.grid.blocks_y; ++gy) {
       Area area;
       area.y = static_cast<int32_t>(gy) * block_size_;
@@ -113,9 +142,15 @@ class PlaneRefinement {
         area.x = static_cast<int32_t>(gx) * block_size_;
         area.width = std::min(block_size_, static_cast<int32_t>(shape_.width) - area.x);
         if (area.width <= 0 || area.height <= 0) continue;
-        add_block(target, reference, area, task_.grid.at(gx, gy));
+        work(area, task_.grid.at(gx, gy));
       }
     }
+  }
+
+  void add(const RefinementTarget& target, const PaddedPlane& reference) {
+    for_each_block([&](const Area& area, int32_t disparity) {
+      add_block(target, reference, area, disparity);
+    });
   }
 
   void add_block(const RefinementTarget& target, const PaddedPlane& reference, const Area& area,
@@ -149,26 +184,32 @@ class PlaneRefinement {
                       static_cast<unsigned>(area.height)});
   }
 
+  // Of the 4x4 samples from (x, y) of the grid block on.
+  static int32_t energy(const SamplePlane& target, const Area& area, int32_t x, int32_t y,
+                        const Predicted& predicted) {
+    int32_t sum = 0;
+    for (int32_t j = y; j < std::min(y + kSquare, area.height); ++j) {
+      const int16_t* row = target.row(static_cast<uint32_t>(area.y + j)).data() + area.x;
+      for (int32_t i = x; i < std::min(x + kSquare, area.width); ++i) {
+        const int32_t error = row[i] - predicted[place(i, j, kMaxBlock)];
+        sum += error * error;
+      }
+    }
+    return sum;
+  }
+
   // Errors and weights of the 4x4 samples from (x, y) of the grid block on, with the better
   // prediction.
   void weigh(const SamplePlane& target, const Area& area, int32_t x, int32_t y, bool two) {
+    const int32_t energy_of_one = energy(target, area, x, y, one_);
+    const int32_t energy_of_both = two ? energy(target, area, x, y, both_) : 0;
+    two = two && energy_of_both < energy_of_one;
+    const int64_t least = two ? energy_of_both : energy_of_one;
+    left_ += estimate_(least);
+    const auto weight = static_cast<int32_t>(estimate_.slope(least, two ? kWeight / 2 : kWeight));
+    const Predicted& predicted = two ? both_ : one_;
     const int32_t x1 = std::min(x + kSquare, area.width);
     const int32_t y1 = std::min(y + kSquare, area.height);
-    int32_t energy_of_one = 0;
-    int32_t energy_of_both = 0;
-    for (int32_t j = y; j < y1; ++j) {
-      const int16_t* row = target.row(static_cast<uint32_t>(area.y + j)).data() + area.x;
-      for (int32_t i = x; i < x1; ++i) {
-        const size_t k = place(i, j, kMaxBlock);
-        energy_of_one += (row[i] - one_[k]) * (row[i] - one_[k]);
-        energy_of_both += (row[i] - both_[k]) * (row[i] - both_[k]);
-      }
-    }
-    two = two && energy_of_both < energy_of_one;
-    const int64_t energy = two ? energy_of_both : energy_of_one;
-    left_ += estimate_(energy);
-    const auto weight = static_cast<int32_t>(estimate_.slope(energy, two ? kWeight / 2 : kWeight));
-    const Predicted& predicted = two ? both_ : one_;
     for (int32_t j = y; j < y1; ++j) {
       const int16_t* row = target.row(static_cast<uint32_t>(area.y + j)).data() + area.x;
       for (int32_t i = x; i < x1; ++i) {
@@ -261,13 +302,10 @@ void refine_key(const KeyRefinement& task, ImagePlanes& key) {
   parallel_for(kPlaneCount, [&](size_t p) { PlaneRefinement(task, p, key[p]).run(); });
 }
 
-double prediction_error(const KeyRefinement& task, Plane plane, const SamplePlane& key) {
-  const auto p = static_cast<size_t>(plane);
-  const PlaneShape& shape = task.geometry.plane(plane);
-  SamplePlane samples = key;
-  const auto sum = static_cast<double>(PlaneRefinement(task, p, samples).measure());
-  return sum / (static_cast<double>(shape.width) * shape.height *
-                static_cast<double>(task.targets.size()));
+CodingLoss coding_loss(const KeyRefinement& task, Plane plane, const SamplePlane& fine,
+                       const SamplePlane& coded) {
+  SamplePlane key = fine;
+  return PlaneRefinement(task, static_cast<size_t>(plane), key).loss(coded);
 }
 
 }  // namespace hmlfc

@@ -43,8 +43,16 @@ struct KeyRefinement {
 /// simultaneous iterative reconstruction technique of tomography, in integers.
 void refine_key(const KeyRefinement& task, ImagePlanes& key);
 
-/// The mean squared error of one plane of all targets, each of their grid blocks predicted from
-/// `key` with its disparity. `key` has the size of whole blocks.
-double prediction_error(const KeyRefinement& task, Plane plane, const SamplePlane& key);
+/// Mean squared errors of targets predicted from a key image.
+struct CodingLoss {
+  double before = 0;     ///< without the image's coding; what is predicted badly counts as bounded
+  double predicted = 0;  ///< the share of the targets' blocks that is predicted well
+  double error = 0;      ///< what coding adds to these
+};
+
+/// Compares one plane of the targets, each of their grid blocks predicted with its disparity, from
+/// `fine` and from what coding made of it, both of the size of whole blocks.
+CodingLoss coding_loss(const KeyRefinement& task, Plane plane, const SamplePlane& fine,
+                       const SamplePlane& coded);
 
 }  // namespace hmlfc

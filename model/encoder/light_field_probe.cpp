@@ -26,8 +26,8 @@ constexpr size_t kUsualImages = 24;
 // Steps of the refinement of key images that are tried. More sharpen an image further and cost
 // bits; where there is noise, they take it out.
 constexpr std::array kRefinementSteps{2, 4};
-// The share of a key image's error that is left in an image interpolated from it, where there is
-// none to measure it in.
+// The share of a key image's error that is left in what is interpolated from it, where that cannot
+// be measured.
 constexpr double kInterpolatedError = 0.65;
 
 ImagePos middle_of(const LightFieldShape& shape) { return {shape.rows / 2, shape.cols / 2}; }
@@ -126,9 +126,10 @@ class KeyProbe {
       for (auto& plane : curves) plane.emplace_back();
       parallel_for(kPlaneCount, [&](size_t p) {
         const PlaneShape& shape = geometry_.plane(kPlanes[p]);
-        curves[p].back() = KeyCurve(cropped(key[p], shape.width, shape.height), steps,
-                                    {header_.depth + (p > 0 ? 1 : 0), p > 0},
-                                    [&](const SamplePlane& coded) { return errors(p, coded); });
+        curves[p].back() =
+            KeyCurve(cropped(key[p], shape.width, shape.height), steps,
+                     {header_.depth + (p > 0 ? 1 : 0), p > 0},
+                     [&](const SamplePlane& coded) { return errors(p, key[p], coded); });
       });
     }
     return curves;
@@ -166,12 +167,17 @@ class KeyProbe {
             {steps, steps, steps}};
   }
 
-  KeyErrors errors(size_t p, const SamplePlane& decoded) const {
+  // Of what coding makes of plane p of `key`.
+  KeyErrors errors(size_t p, const SamplePlane& key, const SamplePlane& coded) const {
     const PlaneShape& shape = geometry_.plane(kPlanes[p]);
-    const double own = mean_squared_error(cropped(view_[p], shape.width, shape.height), decoded);
-    if (targets_.empty()) return {own, kInterpolatedError * own};
-    return {own, prediction_error(task({kNoResidual}, 0), kPlanes[p],
-                                  in_whole_blocks(decoded, shape, geometry_.block_size()))};
+    const double own = mean_squared_error(cropped(view_[p], shape.width, shape.height), coded);
+    const double error = mean_squared_error(cropped(key, shape.width, shape.height), coded);
+    if (targets_.empty()) return {own, kInterpolatedError * error};
+    const CodingLoss loss = coding_loss(task(kUsualLambda, 0), kPlanes[p], key,
+                                        in_whole_blocks(coded, shape, geometry_.block_size()));
+    const double lost =
+        loss.predicted * loss.error + (1 - loss.predicted) * kInterpolatedError * error;
+    return {own, loss.before + lost};
   }
 
   const ViewProvider& views_;
