@@ -10,10 +10,10 @@ namespace {
 
 // The errors measured: the least, the ratio of each to the one before, their number.
 constexpr double kLeastError = 0.25;
-constexpr double kErrorRatio = 2;
-constexpr int kErrorCount = 11;
+constexpr double kErrorRatio = 1.4142135623730951;
+constexpr int kErrorCount = 21;
 // Errors tried between two of them.
-constexpr int kParts = 16;
+constexpr int kParts = 8;
 
 // Between a and b, which are positive, on a logarithmic scale.
 double between(double a, double b, double share) { return a * std::pow(b / a, share); }
