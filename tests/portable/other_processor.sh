@@ -9,7 +9,7 @@ if ! type "$system-g++" "qemu-$processor" patch || ! ls "$openjpeg"/*.{orig,debi
   exit 77
 fi
 cmake -G Ninja -S "$source/tests/portable/alone" -B "$folder" -DCMAKE_BUILD_TYPE=None "-DCMAKE_C_FLAGS=-O1 -w" \
-  -DCMAKE_CXX_FLAGS=-O1 -DHMLFC_WERROR=ON -DHMLFC_UNITY=ON -DHMLFC_OPENJPEG="$openjpeg" -DCMAKE_SYSTEM_NAME=Linux \
+  "-DCMAKE_CXX_FLAGS=-O1 -Wno-psabi" -DHMLFC_WERROR=ON -DHMLFC_UNITY=ON -DHMLFC_OPENJPEG="$openjpeg" -DCMAKE_SYSTEM_NAME=Linux \
   -DCMAKE_SYSTEM_PROCESSOR="$processor" -DCMAKE_C_COMPILER="$system-gcc" -DCMAKE_CXX_COMPILER="$system-g++"
 cmake --build "$folder" --target codec
 codec="qemu-$processor $folder/codec"
