@@ -20,7 +20,7 @@ MotionMatch search_motion(std::span<const int16_t> block, int block_size, uint32
   const auto try_at = [&](int dx, int dy) {
     const int64_t limit = best.limit(std::abs(dx) + std::abs(dy));
     const int16_t* sample = block.data();
-    const int16_t* candidate = reference.sample(ptrdiff_t{x} + dx, ptrdiff_t{y} + dy);
+    const int16_t* candidate = reference.sample(int64_t{x} + dx, int64_t{y} + dy);
     int difference = 0;
     int sum = 0;
     for (int row = 0; row < block_size; ++row) {

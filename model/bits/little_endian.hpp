@@ -1,22 +1,28 @@
 // Little-endian integers in byte arrays (CNV-3).
 #pragma once
 
+#include <bit>
 #include <cassert>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
 namespace hmlfc {
+
+/// Whether the bytes in memory have this order. Nothing else asks for the processor's.
+inline constexpr bool kLittleEndian = std::endian::native == std::endian::little;
 
 /// The unsigned integer at bytes[offset, offset + sizeof(T)), which must be there.
 template <std::unsigned_integral T>
 T load_le(std::span<const uint8_t> bytes, size_t offset) {
   assert(offset <= bytes.size() && sizeof(T) <= bytes.size() - offset);
   T value = 0;
-  for (size_t i = 0; i < sizeof(T); ++i) {
-    value = static_cast<T>(value | (static_cast<T>(bytes[offset + i]) << (8 * i)));
+  if constexpr (kLittleEndian) std::memcpy(&value, &bytes[offset], sizeof(T));
+  for (size_t i = sizeof(T); !kLittleEndian && i-- > 0;) {
+    value = static_cast<T>(value << 8 | bytes[offset + i]);
   }
   return value;
 }

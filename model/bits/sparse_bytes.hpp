@@ -26,7 +26,7 @@ class Reservation {
   void clear(uint64_t offset, uint64_t bytes);
 
  private:
-  uint64_t bytes_;
+  size_t bytes_;
   uint8_t* data_;
 };
 

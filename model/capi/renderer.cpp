@@ -1,6 +1,7 @@
 // Rendering by hmlfc.h.
 #include <hmlfc/renderer.hpp>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -29,7 +30,8 @@ tl::expected<RenderOptions, Refusal> read_render_options(const hmlfc_render_opti
   if (given->threads > kMostThreads) return bad_argument("options", "has threads above 65535");
   if (given->reserved != 0) return bad_argument("options", "has a value in reserved");
   RenderOptions read;
-  if (given->cache_bytes != 0) read.cache_bytes = given->cache_bytes;
+  const auto cache_bytes = std::min<uint64_t>(given->cache_bytes, SIZE_MAX);
+  if (cache_bytes != 0) read.cache_bytes = static_cast<size_t>(cache_bytes);
   read.threads = static_cast<int>(given->threads);
   return read;
 }

@@ -1,7 +1,6 @@
 #include "decoder/key_images.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "arithmetic/rounding.hpp"
@@ -69,10 +68,11 @@ Result<uint64_t> codestream_bytes(const StreamView& stream, uint64_t key, Plane 
 }
 
 uint32_t sample_crc(const SamplePlane& plane) {
-  static_assert(std::endian::native == std::endian::little,
-                "the bytes in memory are those of KEY-3");
   const auto* bytes = reinterpret_cast<const uint8_t*>(plane.samples.data());
-  return crc32c({bytes, plane.samples.size() * sizeof(int16_t)});
+  if constexpr (kLittleEndian) return crc32c({bytes, plane.samples.size() * sizeof(int16_t)});
+  std::vector<uint8_t> ordered;  // as KEY-3 says
+  for (const int16_t sample : plane.samples) append_le(ordered, static_cast<uint16_t>(sample));
+  return crc32c(ordered);
 }
 
 Result<void> check_top_table(const StreamView& stream) {

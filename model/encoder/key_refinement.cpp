@@ -117,7 +117,7 @@ class PlaneRefinement {
   }
 
   // In a plane with padding.
-  size_t index(ptrdiff_t x, ptrdiff_t y) const {
+  size_t index(int64_t x, int64_t y) const {
     return static_cast<size_t>((y + pad_) * stride_ + x + pad_);
   }
 

@@ -117,8 +117,8 @@ class PlaneEncoder {
   // A(x, y) of DEC-3 with motion. Positions past the border have no meaning (STR-6) and take the
   // reference of the nearest position inside.
   int32_t predicted(uint32_t x, uint32_t y, const MotionMatch& motion) const {
-    const ptrdiff_t from_x = ptrdiff_t{std::min(x, shape_.width - 1)} + motion.dx;
-    const ptrdiff_t from_y = ptrdiff_t{std::min(y, shape_.height - 1)} + motion.dy;
+    const int64_t from_x = int64_t{std::min(x, shape_.width - 1)} + motion.dx;
+    const int64_t from_y = int64_t{std::min(y, shape_.height - 1)} + motion.dy;
     const int32_t reference = *task_.reference->sample(from_x, from_y);
     return motion_prediction(parent(x, y), motion.negative, reference, range_);
   }

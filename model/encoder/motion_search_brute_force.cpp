@@ -13,7 +13,7 @@ MotionMatch search_motion_brute_force(std::span<const int16_t> block, int block_
   MotionMatch best{.sad = std::numeric_limits<uint32_t>::max()};
   for (int dy = -window; dy <= window; ++dy) {
     for (int dx = -window; dx <= window; ++dx) {
-      const int16_t* candidate = reference.sample(ptrdiff_t{x} + dx, ptrdiff_t{y} + dy);
+      const int16_t* candidate = reference.sample(int64_t{x} + dx, int64_t{y} + dy);
       const int16_t* sample = block.data();
       int difference = 0;
       int sum = 0;

@@ -18,11 +18,11 @@ Padding search_padding(uint32_t width, int window) {
 
 PaddedPlane::PaddedPlane(std::span<const int16_t> samples, size_t row_stride, uint32_t width,
                          uint32_t height, const Padding& padding)
-    : before_(padding.before), stride_(ptrdiff_t{width} + padding.before + padding.right) {
-  const ptrdiff_t rows = ptrdiff_t{height} + padding.before + padding.below;
+    : before_(padding.before), stride_(before_ + static_cast<ptrdiff_t>(width) + padding.right) {
+  const ptrdiff_t rows = static_cast<ptrdiff_t>(height) + padding.before + padding.below;
   samples_.resize(static_cast<size_t>(stride_ * rows));
   for (ptrdiff_t row = 0; row < rows; ++row) {
-    const ptrdiff_t y = std::clamp<ptrdiff_t>(row - before_, 0, ptrdiff_t{height} - 1);
+    const auto y = std::clamp<int64_t>(row - before_, 0, int64_t{height} - 1);
     const auto in = samples.subspan(static_cast<size_t>(y) * row_stride, width);
     int16_t* out = samples_.data() + row * stride_;
     std::fill_n(out, before_, in.front());

@@ -30,8 +30,8 @@ class PaddedPlane {
       : PaddedPlane(plane.samples, plane.width, width, height, {pad, pad, pad}) {}
 
   /// The sample at (x, y), which lies in the plane or its padding.
-  const int16_t* at(ptrdiff_t x, ptrdiff_t y) const {
-    return samples_.data() + (y + before_) * stride_ + (x + before_);
+  const int16_t* at(int64_t x, int64_t y) const {
+    return samples_.data() + static_cast<ptrdiff_t>((y + before_) * stride_ + x + before_);
   }
   ptrdiff_t stride() const { return stride_; }
   const int16_t* data() const { return samples_.data(); }
@@ -74,11 +74,11 @@ class ReferencePlane {
 
   /// The sample at (x, y), x in [-max_window, width + max_window + 6], y in [-max_window, height +
   /// max_window + 6]. From there, 32 further samples to the right can be read.
-  const int16_t* sample(ptrdiff_t x, ptrdiff_t y) const { return samples_.at(x, y); }
+  const int16_t* sample(int64_t x, int64_t y) const { return samples_.at(x, y); }
 
   /// The sum of the samples (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1), modulo 2^16 in int16;
   /// same intervals as sample(), one less at the right and the bottom.
-  const int16_t* square_sum(ptrdiff_t x, ptrdiff_t y) const {
+  const int16_t* square_sum(int64_t x, int64_t y) const {
     return square_sums_.data() + (samples_.at(x, y) - samples_.data());
   }
 

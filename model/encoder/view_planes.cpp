@@ -43,12 +43,10 @@ ImagePlanes full_planes(const RgbImage& view) {
 // Repeats the nearest sample inside width x height over the rest of `plane`.
 void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height) {
   for (uint32_t y = 0; y < height; ++y) {
-    const auto row = plane.row(y);
-    std::fill(row.begin() + width, row.end(), row[width - 1]);
+    std::ranges::fill(plane.row(y).subspan(width), plane.row(y)[width - 1]);
   }
   for (uint32_t y = height; y < plane.height; ++y) {
-    const auto last = plane.row(height - 1);
-    std::copy(last.begin(), last.end(), plane.row(y).begin());
+    std::ranges::copy(plane.row(height - 1), plane.row(y).begin());
   }
 }
 

@@ -71,14 +71,13 @@ ViewPage& CachedView::page(uint32_t page) {
 }
 
 bool CachedView::has_pages() const {
-  return std::any_of(pages_.begin(), pages_.end(),
-                     [](const auto& page) { return page != nullptr; });
+  return std::ranges::any_of(pages_, [](const auto& page) { return page != nullptr; });
 }
 
 void CachedView::drop_page(uint32_t page) {
   pages_[page].reset();
   const uint32_t end = std::min((page + 1) * kPageRows, shape_.height);
-  std::fill(rows_.begin() + page * kPageRows, rows_.begin() + end, missing_row_);
+  std::fill(rows_.data() + page * kPageRows, rows_.data() + end, missing_row_);
   const auto drop_rows = [page](BlockBits& bits, uint32_t page_rows, uint32_t rows) {
     bits.clear_rows(page * page_rows, std::min((page + 1) * page_rows, rows));
   };

@@ -92,8 +92,7 @@ inline Samples some_block(Random& random, const Kind& kind, const ReferencePlane
   const int dx = uniform(random, -window, window);
   const int dy = uniform(random, -window, window);
   for (int k = 0; choice < 2 && k < size * size; ++k) {
-    const int sample =
-        *reference.sample(ptrdiff_t{x} + dx + k % size, ptrdiff_t{y} + dy + k / size);
+    const int sample = *reference.sample(int64_t{x} + dx + k % size, int64_t{y} + dy + k / size);
     block[static_cast<size_t>(k)] = static_cast<int16_t>(choice == 0 ? sample : -sample);
   }
   return block;

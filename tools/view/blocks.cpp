@@ -1,6 +1,5 @@
 #include "view/blocks.hpp"
 
-#include <bit>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -145,10 +144,11 @@ Response Blocks::stage(const Query& query) {
   const int level = stop_level(stream_.for_blocks(), request);
   const auto traced = trace({request.view->row, request.view->col, request.plane, level});
   const std::vector<int16_t>& samples = traced->stages[stage];
-  static_assert(std::endian::native == std::endian::little);
   Response response;
   response.type = "application/octet-stream";
-  response.body.assign(reinterpret_cast<const char*>(samples.data()), 2 * samples.size());
+  for (const int16_t sample : samples) {
+    response.body += {static_cast<char>(sample & 0xFF), static_cast<char>(sample >> 8)};
+  }
   return response;
 }
 

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstring>
 
 #include "arithmetic/bise.hpp"
+#include "bits/little_endian.hpp"
 
 namespace hmlfc {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "word loads below are little-endian");
 
 constexpr auto make_trit_table() {
   std::array<Trits, 256> table{};
@@ -29,9 +26,7 @@ constexpr auto kQuintTable = make_quint_table();
 
 // Up to 24 bits at bit `at`.
 uint32_t peek(const uint8_t* bytes, uint64_t at, unsigned count) {
-  uint32_t word;
-  std::memcpy(&word, bytes + (at >> 3), sizeof(word));
-  return (word >> (at & 7)) & ((1u << count) - 1u);
+  return (load_le<uint32_t>({bytes + (at >> 3), 4}, 0) >> (at & 7)) & ((1u << count) - 1u);
 }
 
 // Reads whole and cut digit groups: of each value its plain bits and the digit bits that follow.

@@ -77,7 +77,7 @@ struct TileReader {
   void unpack_block(unsigned k, uint64_t at, const Levels& levels, int32_t bias,
                     int32_t step) const {
     std::array<uint16_t, size_t{kMaxBlockSize} * kMaxBlockSize> values;
-    bise_unpack(record.data(), at, levels, context.block_samples, values.data());
+    bise_unpack(record.data(), at, levels, blocks.block_samples, values.data());
     int16_t* out = blocks.values.data() + size_t{k} * blocks.block_samples;
     for (size_t i = 0; i < context.block_samples; ++i) {
       out[i] = narrow<int16_t>(stepped_residual(values[i], levels.count, bias, step, range));
