@@ -40,9 +40,9 @@ constexpr uint32_t kStillSide = 1200;  // likewise
 constexpr int kAperture = 1;           // of the page, where none is told
 
 // The page's modules that other pages share, and its own.
-constexpr std::array<std::string_view, 7> kPageFiles{
-    "player.js",  "live_view.js", "player_controls.js", "tilt.js",
-    "player.css", "dom.js",       "gestures.js"};
+constexpr std::array<std::string_view, 9> kPageFiles{
+    "player.js",   "live_view.js", "gpu_frames.js", "look_controls.js", "tilt.js",
+    "palette.css", "look.css",     "dom.js",        "gestures.js"};
 // What is next to the kernels and for decoding blocks alone.
 constexpr std::array<std::string_view, 5> kOtherFiles{"batch.js", "colour.wgsl", "hmlfc_gpu.js",
                                                       "samples.wgsl", "walk.wgsl"};
