@@ -22,9 +22,9 @@ TITLE, TEXT = 'Cards & "cups" <b>', "25 photographs of a table"
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
-    """A host of static files; it answers requests for ranges where `ranges` is set."""
+    """A host of static files; with `ranges`, it answers requests for those, and may claim other sizes."""
 
-    root, ranges, versions = None, True, None
+    root, ranges, versions, claimed = None, True, None, None
 
     def translate_path(self, path):
         return str(Handler.root / path.split("?")[0].lstrip("/"))
@@ -39,7 +39,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         if Handler.versions:
             self.send_header("ETag", f'"{next(Handler.versions)}"')
         self.send_header("Content-Type", "application/octet-stream")
-        self.send_header("Content-Range", f"bytes {wanted[1]}-{int(wanted[1]) + len(part) - 1}/{len(data)}")
+        self.send_header("Content-Range", f"bytes {wanted[1]}-{int(wanted[1]) + len(part) - 1}/{Handler.claimed or len(data)}")
         self.send_header("Content-Length", str(len(part)))
         self.end_headers()
         self.wfile.write(part)
@@ -175,9 +175,9 @@ class PublishTest(CliTest):
         stream = Handler.root / "light-field.hmlfc"
         intact = stream.read_bytes()
         noise = random.Random(1).randbytes(len(intact))
-        damages = ((intact[:400] + noise[400:], "A part of this light field is damaged"), (intact[:2000], "is damaged (error 1)"),
-                   (noise, "no light field"))
-        for damaged, wanted in damages:
+        damages = ((intact[:400] + noise[400:], 0, "A part of this light field is damaged"), (intact[:2000], 0, "is damaged (error 1)"),
+                   (noise, 0, "no light field"), (intact, 2**31, "is damaged (error 9)"), (intact, 2**31 + 1, "more than 2 GiB"))
+        for damaged, Handler.claimed, wanted in damages:
             with self.subTest(wanted):
                 stream.write_bytes(damaged)
                 try:
@@ -185,6 +185,7 @@ class PublishTest(CliTest):
                     self.assertIn(wanted, self.until_drawn())
                 finally:
                     stream.write_bytes(intact)
+                    Handler.claimed = None
         self.browser.page.get_log("browser")  # says why, too
 
     def test_a_file_that_changes(self):
