@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,14 +15,14 @@ class ChunkedFile final : public ByteSource {
  public:
   static constexpr uint64_t kChunkBytes = 1 << 12;
 
-  /// room() is null where there is no memory for `bytes` bytes.
-  explicit ChunkedFile(size_t bytes)
-      : bytes_(bytes),
-        room_(static_cast<uint8_t*>(std::calloc(bytes + 1, 1))),
-        loaded_(bytes / kChunkBytes + 1) {}
+  /// room() is null where there is no memory for `bytes` bytes. Its pages are new ones, which take
+  /// up nothing until bytes come, however many the host says that there are; it stays.
+  explicit ChunkedFile(size_t bytes) : bytes_(bytes), loaded_(bytes / kChunkBytes + 1) {
+    const size_t page = __builtin_wasm_memory_grow(0, (bytes >> 16) + 1);
+    room_ = page == SIZE_MAX ? nullptr : reinterpret_cast<uint8_t*>(page << 16);
+  }
   ChunkedFile(const ChunkedFile&) = delete;
   ChunkedFile& operator=(const ChunkedFile&) = delete;
-  ~ChunkedFile() override { std::free(room_); }
 
   uint8_t* room() { return room_; }
 
@@ -52,7 +51,7 @@ class ChunkedFile final : public ByteSource {
 
  private:
   size_t bytes_;
-  uint8_t* room_;
+  uint8_t* room_ = nullptr;
   std::vector<bool> loaded_;
   std::vector<ByteRange> missing_;
 };

@@ -80,9 +80,9 @@ void add_facts() {
         static_cast<uint64_t>(header.tree_height) + 1,
         uint64_t{header.chroma_format == ChromaFormat::k420}, uint64_t{luma.blocks_x},
         uint64_t{luma.blocks_y}, coded.offset, coded.bytes, stream->entry(Section::kRoot).size,
-        area, std::min<uint64_t>(blocks * stream->geometry.level(0).images(), kNoError),
+        area, blocks * stream->geometry.level(0).images(),
         static_cast<uint64_t>(suitable_geometry(header))}) {
-    add(fact);
+    add(std::min<uint64_t>(fact, UINT32_MAX));
   }
   add_record(stream_shape(*stream, kNoChunks, kNoChunks));
 }

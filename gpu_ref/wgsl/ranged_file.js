@@ -8,7 +8,7 @@ const MAGIC = [0x89, 0x48, 0x4d, 0x4c, 0x46, 0x43, 0x0d, 0x0a]; // FIL-1
 
 /** @typedef {[number, number]} Range offset and bytes */
 
-const TOO_LARGE = "limit_exceeded: the file has more than 2 GiB";
+const TOO_LARGE = "the file of this light field has more than 2 GiB";
 const OTHER_BYTES = "the host sends other bytes than it says";
 const CHANGED = "the file has changed: load the page again";
 

@@ -28,7 +28,7 @@ async function answer({code, size, chunks, camera, call, numbers}) {
     module = (await WebAssembly.instantiate(/** @type {WebAssembly.Module} */ (code), imports(code))).exports;
     module._initialize();
     room = module.reserve(size) >>> 0;
-    if (room === 0) throw new Error("limit_exceeded: there is no memory for the file");
+    if (room === 0) throw new Error("limit_exceeded: there is no memory for its file");
   }
   for (const [offset, bytes] of chunks) {
     new Uint8Array(module.memory.buffer, room + offset, bytes.length).set(bytes);

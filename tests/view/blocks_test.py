@@ -283,7 +283,7 @@ class Blocks(IntoCase):
         stream = (self.folder / "a.hmlfc").read_bytes()
         (self.folder / "head.hmlfc").write_bytes(stream[:8] + b"\xff" + stream[9:])
         self.open("", "head.hmlfc")
-        text = self.browser.until("the error", lambda: self.browser.text("notice"))
+        text = self.browser.until("the error", lambda: self.browser.text("warning"))
         self.assertRegex(text, r"head\.hmlfc: bad_\w+ in header at byte \d+")
 
     def test_error_blocks_are_in_the_picture(self):
@@ -292,7 +292,7 @@ class Blocks(IntoCase):
             stream[at] ^= 0xFF
         (self.folder / "tiles.hmlfc").write_bytes(stream)
         address = self.open("#mode=into&view=4,4&plane=Y", "tiles.hmlfc")
-        self.assertIn("bad_section_crc", self.browser.until("a notice", lambda: self.browser.text("notice")))
+        self.assertIn("bad_section_crc", self.browser.until("a notice", lambda: self.browser.text("warning")))
         self.shown(view="4,4")
         server = self.servers["tiles.hmlfc",]
         self.assertEqual(server.address, address)

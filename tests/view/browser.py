@@ -23,7 +23,7 @@ WEBGPU = ("--enable-unsafe-webgpu", "--enable-features=Vulkan,WebGPU", "--use-vu
 class Browser:
     """One Chromium with one tab. `page` is selenium's driver."""
 
-    def __init__(self, cache, gpu=("--disable-gpu",)):
+    def __init__(self, cache, gpu=("--disable-gpu", "--force-prefers-reduced-motion")):
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
 
@@ -67,7 +67,7 @@ class Browser:
     def complaints(self):
         """What the page shows as errors, and what it wrote to the console."""
         texts = [self.script("return document.getElementById(arguments[0])?.textContent", name)
-                 for name in ("notice", "look-error", "into-error")]
+                 for name in ("warning", "notice", "look-error", "into-error")]
         return [text for text in texts if text] + [entry["message"] for entry in self.page.get_log("browser")]
 
     def text(self, name):

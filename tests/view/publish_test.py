@@ -22,9 +22,9 @@ TITLE, TEXT = 'Cards & "cups" <b>', "25 photographs of a table"
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
-    """A host of static files; it answers requests for ranges where `ranges` is set."""
+    """A host of static files; with `ranges`, it answers requests for those, and may claim other sizes."""
 
-    root, ranges, versions = None, True, None
+    root, ranges, versions, claimed = None, True, None, None
 
     def translate_path(self, path):
         return str(Handler.root / path.split("?")[0].lstrip("/"))
@@ -39,7 +39,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         if Handler.versions:
             self.send_header("ETag", f'"{next(Handler.versions)}"')
         self.send_header("Content-Type", "application/octet-stream")
-        self.send_header("Content-Range", f"bytes {wanted[1]}-{int(wanted[1]) + len(part) - 1}/{len(data)}")
+        self.send_header("Content-Range", f"bytes {wanted[1]}-{int(wanted[1]) + len(part) - 1}/{Handler.claimed or len(data)}")
         self.send_header("Content-Length", str(len(part)))
         self.end_headers()
         self.wfile.write(part)
@@ -48,17 +48,21 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
+def serve_site(root):
+    """The address of a host of this folder."""
+    Handler.root = root
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return f"http://127.0.0.1:{server.server_port}/"
+
+
 class PublishTest(CliTest):
     @classmethod
     def prepare(cls):
         cls.hmlfc(*"synth --scene cards --grid 5x5 --size 96x64 --baseline 3 -o views".split())
         cls.hmlfc(*"encode views -o a.hmlfc".split())
         cls.hmlfc("publish", "a.hmlfc", "-o", "site", "--title", TITLE, "--text", TEXT, "--address", "https://example.org/x")
-        Handler.root = cls.folder / "site"
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        cls.addClassCleanup(server.shutdown)
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        cls.address = f"http://127.0.0.1:{server.server_port}/"
+        cls.address = serve_site(cls.folder / "site")
         cls.browser = Browser(cls.folder / "profile", WEBGPU)
         cls.addClassCleanup(cls.browser.end)
         cls.browser.page.set_script_timeout(PATIENCE)
@@ -79,7 +83,7 @@ class PublishTest(CliTest):
             (async () => {
               const player = await (await import('/app/player.js')).player;
               while (player.drawing || player.wanted || player.glide) await new Promise(next => setTimeout(next, 20));
-              done([player.canvas.dataset.drawn, Array.from(await player.field.renderer.pixels())]);
+              done([player.canvas.dataset.drawn, Array.from(await player.frames.field.renderer.pixels())]);
             })().catch(error => done([String(error), []]));""")
         return json.loads(camera), bytes(value for at, value in enumerate(texels) if at % 4 != 3)
 
@@ -99,7 +103,8 @@ class PublishTest(CliTest):
         """One visit, since kernels take long to compile."""
         self.browser.open(self.address)
         self.assertEqual(self.until_drawn(), "")
-        self.until("an idle camera", lambda: self.frame_place() != "2,2")
+        self.until("an idle camera", lambda: '"u":2,"v":2,' not in self.browser.script(
+            "return document.getElementById('frame').dataset.drawn"))
         self.press(" ")
         before = self.equals_render()
         self.assertEqual(before["aperture"], 1)
@@ -145,11 +150,11 @@ class PublishTest(CliTest):
             (async () => {
               const player = await (await import('/app/player.js')).player;
               player.end();
-              const {canvas: {width, height}, field: {renderer: {device}}} = player;
+              const {canvas: {width, height}, frames: {field, field: {renderer: {device}}}} = player;
               const texture = device.createTexture(
                   {size: [width, height], format: navigator.gpu.getPreferredCanvasFormat(), usage: 16 | 1});
-              const camera = {...player.frameCamera(), u: 2, v: 2, focus: 0, aperture};
-              await player.field.draw(camera, 0, {getCurrentTexture: () => texture});
+              const camera = player.frames.record({...player.frameCamera(), u: 2, v: 2, focus: 0, aperture});
+              await field.draw(camera, 0, {getCurrentTexture: () => texture});
               const bytesPerRow = 256 * Math.ceil(width / 64);
               const buffer = device.createBuffer({size: bytesPerRow * height, usage: 1 | 8});
               const encoder = device.createCommandEncoder();
@@ -159,13 +164,9 @@ class PublishTest(CliTest):
               done(Array.from(new Uint8Array(buffer.getMappedRange())).filter((_, at) => at % bytesPerRow < 4 * width));
             })().catch(error => done(String(error)));""", aperture)
 
-    def frame_place(self):
-        camera = json.loads(self.browser.script("return document.getElementById('frame').dataset.drawn"))
-        return f"{camera['u']},{camera['v']}"
-
     def lost_device(self):
         self.browser.script("import('/app/player.js').then(page => page.player)"
-                            ".then(({field}) => field.renderer.device.destroy())")
+                            ".then(({frames}) => frames.field.renderer.device.destroy())")
         self.assertIn("device was lost", self.until("a sentence", lambda: self.browser.text("notice")))
         self.assertTrue(self.browser.script("return document.getElementById('still').src").endswith("loop.png"))
         self.browser.page.get_log("browser")
@@ -174,9 +175,9 @@ class PublishTest(CliTest):
         stream = Handler.root / "light-field.hmlfc"
         intact = stream.read_bytes()
         noise = random.Random(1).randbytes(len(intact))
-        damages = ((intact[:400] + noise[400:], "A part of this light field is damaged"), (intact[:2000], "is damaged (error 1)"),
-                   (noise, "no light field"))
-        for damaged, wanted in damages:
+        damages = ((intact[:400] + noise[400:], 0, "A part of this light field is damaged"), (intact[:2000], 0, "is damaged (error 1)"),
+                   (noise, 0, "no light field"), (intact, 2**31, "is damaged (error 9)"), (intact, 2**31 + 1, "more than 2 GiB"))
+        for damaged, Handler.claimed, wanted in damages:
             with self.subTest(wanted):
                 stream.write_bytes(damaged)
                 try:
@@ -184,6 +185,7 @@ class PublishTest(CliTest):
                     self.assertIn(wanted, self.until_drawn())
                 finally:
                     stream.write_bytes(intact)
+                    Handler.claimed = None
         self.browser.page.get_log("browser")  # says why, too
 
     def test_a_file_that_changes(self):
@@ -218,7 +220,7 @@ class PublishTest(CliTest):
         self.hmlfc("publish", "a.hmlfc", "-o", "site", "--title", TITLE, "--text", TEXT, "--address", "https://example.org/x")
 
     def test_without_webgpu(self):
-        browser = Browser(self.folder / "plain")
+        browser = Browser(self.folder / "plain", ("--disable-gpu",))
         try:
             browser.open(self.address)
             text = browser.until("a sentence", lambda: browser.text("notice"), PATIENCE)

@@ -35,14 +35,15 @@ constexpr std::string_view kSign = "hmlfc publish";
 constexpr std::string_view kStream = "light-field.hmlfc";
 constexpr unsigned kLoopRate = 12;  // frames per second
 constexpr int kLoopFrames = 24;
-constexpr uint32_t kLoopSide = 320;    // pixels of its longer side, at most
-constexpr uint32_t kStillSide = 1200;  // likewise
-constexpr int kAperture = 1;           // of the page, where none is told
+constexpr uint32_t kLoopSide = 320;                 // pixels of its longer side, at most
+constexpr uint32_t kStillSide = 1200;               // likewise
+constexpr uint64_t kMostBytes = uint64_t{1} << 31;  // MOST of ranged_file.js
+constexpr int kAperture = 1;                        // of the page, where none is told
 
 // The page's modules that other pages share, and its own.
-constexpr std::array<std::string_view, 7> kPageFiles{
-    "player.js",  "live_view.js", "player_controls.js", "tilt.js",
-    "player.css", "dom.js",       "gestures.js"};
+constexpr std::array<std::string_view, 9> kPageFiles{
+    "player.js",   "live_view.js", "gpu_frames.js", "look_controls.js", "tilt.js",
+    "palette.css", "look.css",     "dom.js",        "gestures.js"};
 // What is next to the kernels and for decoding blocks alone.
 constexpr std::array<std::string_view, 5> kOtherFiles{"batch.js", "colour.wgsl", "hmlfc_gpu.js",
                                                       "samples.wgsl", "walk.wgsl"};
@@ -110,6 +111,13 @@ class Publication {
       : options_(options), modules_(browser_folder()), file_(options.file) {
     if (file_.is_remote()) {
       throw Failure(ExitCode::kUsage, options.file.string() + ": publish a file, not an address");
+    }
+    if (file_.size() > kMostBytes) {
+      throw Failure(
+          ExitCode::kUsage,
+          options.file.string() +
+              ": has more than the 2 GiB that a browser takes: encode it with fewer --views "
+              "or a lower --quality");
     }
     // The reference view of the middle: no view takes fewer bytes.
     const StreamHeader& header = file_.header();

@@ -1,19 +1,6 @@
 // The camera of the page: the same words and numbers as the options of `hmlfc render`.
 
-/**
- * @typedef {object} Camera
- * @property {number} u column of views
- * @property {number} v row of views
- * @property {number} z distance beyond the view plane, in columns
- * @property {number} turnX slope of the direction to the right
- * @property {number} turnY slope of the direction down
- * @property {number} focus disparity in focus
- * @property {number} aperture 0 to 3
- * @property {string} geometry "stream" or "plane"
- * @property {string} filter
- * @property {number} levels of the tree; 0: all
- * @property {number | null} fov degrees; null: a view fills the frame
- */
+/** @typedef {Required<import("./live_view.js").Camera>} Camera */
 /** @typedef {import("./ask.js").Query} Query */
 
 const AHEAD = 16; // columns from the camera to the point that it looks at
@@ -30,11 +17,11 @@ export function middleCamera(stream) {
 }
 
 /**
- * The frame of `camera`, `width` x `height` pixels.
+ * The frame of `camera`, `width` x `height` pixels, at the nearest whole aperture.
  * @param {Camera} camera @param {number} width @param {number} height @returns {Query}
  */
 export function cameraQuery(camera, width, height) {
-  return { ...placeQuery(camera), size: `${width}x${height}` };
+  return { ...placeQuery({ ...camera, aperture: Math.round(camera.aperture) }), size: `${width}x${height}` };
 }
 
 /**
@@ -50,7 +37,7 @@ export function placeQuery(camera) {
     query["look-at"] = at.join(",");
   }
   query.focus = rounded(camera.focus);
-  query.aperture = camera.aperture;
+  query.aperture = rounded(camera.aperture);
   query.geometry = camera.aperture > 0 ? "plane" : camera.geometry;
   query.filter = camera.filter;
   if (camera.levels > 0) query.levels = camera.levels;

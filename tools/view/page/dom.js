@@ -49,6 +49,14 @@ export function say(id, text) {
 }
 
 /**
+ * Puts `mark` on a place of the canvas that both lie on.
+ * @param {HTMLCanvasElement} target @param {HTMLElement} mark @param {number} x @param {number} y in [0, 1)
+ */
+export function placeOn({ offsetLeft, offsetTop, clientWidth, clientHeight }, mark, x, y) {
+  Object.assign(mark.style, { left: `${offsetLeft + x * clientWidth}px`, top: `${offsetTop + y * clientHeight}px` });
+}
+
+/**
  * "1 234 567"
  * @param {number} number
  */

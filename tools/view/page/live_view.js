@@ -1,12 +1,40 @@
-// The light field from a camera that moves: draws a frame after the other, never more than one under way.
-import { any, canvas, say } from "./dom.js";
+// The light field from a camera that moves: shows a frame after the other, never more than one under way, whoever draws
+// them.
+import { canvas, say } from "./dom.js";
+
+/**
+ * @typedef {object} Camera
+ * @property {number} u column of views
+ * @property {number} v row of views
+ * @property {number} z distance beyond the view plane, in columns
+ * @property {number} turnX slope of the direction to the right
+ * @property {number} turnY slope of the direction down
+ * @property {number} focus disparity in focus
+ * @property {number} aperture 0 to 3
+ * @property {string} [geometry] of the server's frames: "stream" or "plane"
+ * @property {string} [filter] likewise
+ * @property {number} [levels] of the tree; 0: all
+ * @property {number | null} [fov] degrees; null: a view fills the frame
+ */
+/**
+ * What was drawn. half: with half the size, because the camera moves; note: what the visitor should know.
+ * @typedef {{half?: boolean, note?: string}} Shown
+ */
+/**
+ * Draws frames on the canvas: gpu_frames.js here, server_frames.js by asking.
+ * @typedef {object} Frames
+ * @property {{rows: number, cols: number, width: number, height: number}} facts of the views
+ * @property {Camera} start
+ * @property {[number, number]} depths the least and greatest focus on offer
+ * @property {{draw(camera: Camera, moving: boolean): Promise<Shown>}["draw"]} draw
+ * @property {{focusOf(camera: Camera, x: number, y: number): Promise<number | null>}["focusOf"]} focusOf of a pixel
+ */
 
 const WIDEST = 2048; // pixels of a frame
-const AHEAD = 16; // columns from the camera to the point that it looks at
 const ROUND = 14000; // milliseconds of a circle of the idle camera
 const STEP = 1 / 64; // columns: places of the idle camera
 const GLIDE = 500; // milliseconds in which focus and aperture change
-const LOADED_AHEAD = 1 << 26; // bytes
+const STILL = 120; // milliseconds without input
 const AGAIN = 2000; // milliseconds until a silent host is asked again
 
 /** @param {number} x @param {number} lo @param {number} hi */
@@ -14,31 +42,32 @@ export const within = (x, lo, hi) => Math.max(lo, Math.min(hi, x));
 
 const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-/** @typedef {{u: number, v: number, z: number, turnX: number, turnY: number, focus: number, aperture: number}} Place */
-
 export class LiveView {
-  /** @param {any} device @param {any} field LightField of light_field.js */
-  constructor(device, field) {
-    this.field = field;
-    this.facts = field.facts;
+  /** @param {Frames} frames */
+  constructor(frames) {
+    this.frames = frames;
+    this.facts = frames.facts;
     this.canvas = canvas("frame");
     const { width, height } = this.facts;
     const reduced = Math.min(1, WIDEST / Math.max(width, height));
     this.canvas.width = Math.max(1, Math.round(width * reduced));
     this.canvas.height = Math.max(1, Math.round(height * reduced));
-    this.target = /** @type {any} */ (this.canvas.getContext("webgpu"));
-    this.target.configure({ device, format: /** @type {any} */ (navigator).gpu.getPreferredCanvasFormat(), alphaMode: "premultiplied" });
-    // The first frame is sharp: it needs the fewest bytes.
-    this.camera = { ...this.beginning(), aperture: 0 };
+    this.canvas.style.setProperty("--shape", String(this.canvas.width / this.canvas.height));
+    this.camera = { ...frames.start };
     this.sway = { u: 0, v: 0 }; // columns and rows, by a phone that is tilted
     this.wanted = true;
     this.drawing = false;
+    this.ended = false;
     this.moving = !isStill();
     this.movingSince = -1; // unknown until a frame has been drawn
+    this.inputAt = 0;
+    /** @type {number | undefined} when the oldest input came that no frame shows */
+    this.pending = undefined;
     this.centre = this.camera;
-    /** @type {{from: Partial<Place>, to: Partial<Place>, since: number} | null} */
+    /** @type {{from: Partial<Camera>, to: Partial<Camera>, since: number} | null} */
     this.glide = null;
     this.changed = () => {};
+    this.shown = (/** @type {Shown} */ _shown, /** @type {number | undefined} */ _input) => {};
     this.failed = (/** @type {Error} */ _) => {};
     /** @type {Promise<void>} the first frame */
     this.first = new Promise((resolve) => (this.begun = resolve));
@@ -47,37 +76,24 @@ export class LiveView {
 
   /** Draws nothing more. */
   end() {
-    this.drawing = true;
+    this.ended = true;
     this.begun?.();
   }
 
-  /**
-   * The camera at the beginning.
-   * @returns {Place}
-   */
-  beginning() {
-    const { camera, focus, aperture } = document.body.dataset;
-    const [u, v, z = 0] = (camera ?? "").split(",").map(Number);
-    return { u, v, z, turnX: 0, turnY: 0, focus: Number(focus), aperture: Number(aperture) };
-  }
-
-  /** As the renderer takes it. */
+  /** @returns {Camera} with the tilt of the phone */
   frameCamera() {
-    const { z, turnX, turnY, focus, aperture } = this.camera;
-    const { cols, rows, geometry } = this.facts;
-    const u = within(this.camera.u + this.sway.u, 0, cols - 1);
-    const v = within(this.camera.v + this.sway.v, 0, rows - 1);
-    return {
-      width: this.canvas.width, height: this.canvas.height, u, v, z, atU: u + AHEAD * turnX, atV: v + AHEAD * turnY,
-      atZ: z + AHEAD, focus, aperture, filter: 2, geometry,
-    };
+    const { u, v } = this.camera;
+    const { cols, rows } = this.facts;
+    return { ...this.camera, u: within(u + this.sway.u, 0, cols - 1), v: within(v + this.sway.v, 0, rows - 1) };
   }
 
   /** @param {number} now */
   tick(now) {
-    if (this.moving && this.movingSince >= 0) this.circle(now);
-    if (this.glide) this.slide(this.glide, now);
-    if (this.wanted && !this.drawing) void this.draw();
+    if (this.canvas.clientWidth > 0) {
+      if (this.moving && this.movingSince >= 0) this.circle(now);
+      if (this.glide) this.slide(this.glide, now);
+      if (this.wanted && !this.drawing) void this.draw();
+    }
     requestAnimationFrame((next) => this.tick(next));
   }
 
@@ -117,50 +133,45 @@ export class LiveView {
 
   async draw() {
     this.drawing = true;
-    this.wanted = false;
-    try {
-      const camera = this.frameCamera();
-      const { error } = await this.field.draw(camera, 0, this.target);
-      say("notice", error === 0 ? "" : "A part of this light field is damaged: its file did not arrive as it was made.");
-      this.canvas.classList.add("drawn");
-      document.body.classList.add("live");
-      Object.assign(this.canvas.dataset, { drawn: JSON.stringify(camera), error: String(error) });
-      if (this.movingSince < 0) this.open();
-    } catch (error) {
-      const { name, message } = /** @type {Error} */ (error);
-      if (name !== "NetworkError") return this.failed(/** @type {Error} */ (error));
-      say("notice", `Waiting: ${message}.`);
-      await new Promise((next) => setTimeout(next, AGAIN));
-      this.wanted = true;
+    while (this.wanted && !this.ended) {
+      const input = this.pending;
+      this.pending = undefined;
+      this.wanted = false;
+      await this.drawOne(input).catch((error) => this.wait(error));
     }
     this.drawing = false;
   }
 
-  /** After the first frame. */
-  open() {
-    performance.mark("first frame", { detail: this.field.client.file.received });
-    this.movingSince = 0;
-    this.begun?.();
-    this.slideTo({ aperture: this.beginning().aperture });
-    void this.ahead();
-  }
-
-  /** Loads what the camera has not asked for yet, view by view from the middle on. */
-  async ahead() {
-    const { rows, cols, geometry } = this.facts;
-    const { u, v } = this.camera;
-    const views = Array.from({ length: rows * cols }, (_, i) => [Math.floor(i / cols), i % cols]);
-    views.sort(([r0, c0], [r1, c1]) => Math.hypot(r0 - v, c0 - u) - Math.hypot(r1 - v, c1 - u));
-    for (let i = 0; i < views.length && this.field.client.file.received < LOADED_AHEAD; ++i) {
-      const [row, col] = views[i];
-      await this.field.load([row, row, col, col], 0, geometry === 1).catch(() => {});
-      any("progress").setAttribute("value", String((i + 1) / views.length));
+  /**
+   * Until another try may help.
+   * @param {Error} error
+   */
+  async wait(error) {
+    if (error.name !== "NetworkError") {
+      this.rest();
+      return this.failed(error);
     }
-    any("progress").hidden = true;
-    document.body.dataset.loaded = "true";
+    say("notice", `Waiting: ${error.message}.`);
+    await new Promise((next) => setTimeout(next, AGAIN));
+    this.wanted = true;
   }
 
-  /** @param {Partial<Place>} changes */
+  /** @param {number | undefined} input when its input came */
+  async drawOne(input) {
+    const moving = this.glide !== null || performance.now() - this.inputAt < STILL;
+    const shown = await this.frames.draw(this.frameCamera(), moving);
+    say("notice", shown.note ?? "");
+    this.canvas.classList.add("drawn");
+    document.body.classList.add("live");
+    if (this.movingSince < 0) {
+      this.movingSince = 0;
+      this.begun?.();
+    }
+    if (shown.half && !this.wanted) setTimeout(() => this.put({}), STILL);
+    this.shown(shown, input);
+  }
+
+  /** @param {Partial<Camera>} changes */
   put(changes) {
     Object.assign(this.camera, changes);
     this.wanted = true;
@@ -169,12 +180,15 @@ export class LiveView {
 
   /**
    * Somebody asked for it: the camera circles no more.
-   * @param {Partial<Place>} changes
+   * @param {Partial<Camera>} changes
    */
   change(changes) {
     this.rest();
-    if ("focus" in changes || "aperture" in changes) this.glide = null;
+    for (const name of /** @type {const} */ (["focus", "aperture"])) if (name in changes) delete this.glide?.to[name];
+    this.inputAt = performance.now();
+    this.pending ??= this.inputAt;
     this.put(changes);
+    if (!this.drawing && this.movingSince >= 0) void this.draw(); // at once, not with the next picture of the screen
   }
 
   /** @param {{focus?: number, aperture?: number}} to */
@@ -193,6 +207,10 @@ export class LiveView {
     document.body.classList.add("touched");
     if (this.movingSince > 0) this.movingSince = 0;
     this.changed();
+  }
+
+  restart() {
+    this.change(this.frames.start);
   }
 
   /** @param {number} columns @param {number} rows */
@@ -224,9 +242,9 @@ export class LiveView {
   async focusAt(x, y) {
     this.rest();
     const { width, height } = this.canvas;
-    const pixel = [Math.floor(x * width), Math.floor(y * height)];
-    const focus = await this.field.client.focus(this.frameCamera(), ...pixel).catch(() => null);
+    const focus = await this.frames.focusOf(this.frameCamera(), Math.floor(x * width), Math.floor(y * height)).catch(() => null);
     // Where all was sharp, a little blur shows what the click has done.
     if (focus !== null) this.slideTo({ focus, aperture: Math.max(1, this.camera.aperture) });
+    else say("notice", "There is nothing to focus on.");
   }
 }

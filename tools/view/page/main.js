@@ -3,6 +3,7 @@ import { announcePage, askJson, linkTo } from "./ask.js";
 import { any, say } from "./dom.js";
 import { Into } from "./into.js";
 import { Look } from "./look.js";
+import { ServerFrames } from "./server_frames.js";
 
 const MODES = ["look", "into"];
 
@@ -14,6 +15,7 @@ function showMode(shown) {
     any(mode).hidden = mode !== shown;
     any(`mode-${mode}`).setAttribute("aria-pressed", String(mode === shown));
   }
+  any("coding").hidden = shown === "look";
 }
 
 /**
@@ -22,10 +24,10 @@ function showMode(shown) {
 function describe(stream) {
   document.title = `${stream.name} – hmlfc view`;
   any("name").textContent = stream.name;
-  say("notice", [stream.error, stream.warning].filter(Boolean).join("\n"));
+  say("warning", [stream.error, stream.warning].filter(Boolean).join("\n"));
   if (stream.error) return;
-  any("shape").textContent =
-    `${stream.rows} × ${stream.cols} views of ${stream.width} × ${stream.height}, ${stream.depth} bits · ${stream.coding}`;
+  any("shape").textContent = `${stream.rows} × ${stream.cols} views of ${stream.width} × ${stream.height}`;
+  any("coding").textContent = `, ${stream.depth} bits · ${stream.coding}`;
 }
 
 async function begin() {
@@ -40,7 +42,7 @@ async function begin() {
     if (!any(mode).hidden) history.replaceState(null, "", links[mode]);
   };
   for (const mode of MODES) showMode(mode); // both have to be seen once, to be laid out
-  const look = new Look(stream, keep("look"));
+  const look = new Look(await ServerFrames.open(stream), keep("look"));
   const shows = { look, into: new Into(stream, keep("into")) };
   const open = () => {
     const link = new URLSearchParams(location.hash.slice(1));
@@ -57,4 +59,4 @@ async function begin() {
   open();
 }
 
-begin().catch((error) => say("notice", error.message));
+begin().catch((error) => say("warning", error.message));

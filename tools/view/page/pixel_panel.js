@@ -1,7 +1,7 @@
 // How a pixel of the frame comes about, as `hmlfc render --trace` has it.
 import { askJson, linkTo } from "./ask.js";
 import { clauseButton } from "./clauses.js";
-import { any, canvas, input, make, numberIn, say } from "./dom.js";
+import { any, canvas, input, make, numberIn, placeOn, say } from "./dom.js";
 
 /** @typedef {import("./ask.js").Query} Query */
 
@@ -102,9 +102,8 @@ export class PixelPanel {
 
   /** Puts the mark on the pixel. */
   mark() {
-    const { offsetLeft, offsetTop, clientWidth, clientHeight } = canvas("frame");
     const [x, y] = this.pixel.map((side, at) => (side + 0.5) / this.size[at]);
-    Object.assign(any("pixel-mark").style, { left: `${offsetLeft + x * clientWidth}px`, top: `${offsetTop + y * clientHeight}px` });
+    placeOn(canvas("frame"), any("pixel-mark"), x, y);
   }
 
   /** Asks how the pixel of the frame comes about and shows it, unless there is a newer question by then. */

@@ -1,8 +1,9 @@
 // A published light field: it is decoded and drawn here, by WebGPU, and moves until somebody touches it. Where that
 // cannot be, a recording of it moves.
 import { any, canvas, say } from "./dom.js";
+import { GpuFrames } from "./gpu_frames.js";
 import { LiveView } from "./live_view.js";
-import { control } from "./player_controls.js";
+import { control } from "./look_controls.js";
 
 const SLOW = 3000; // milliseconds without a frame, until the page says that it loads
 const NO_WEBGPU = "this browser has no WebGPU. In one that has, you move the camera";
@@ -37,7 +38,7 @@ function record(why) {
 function fail(error) {
   console.warn(error);
   if (lost) return;
-  const limit = error.message.startsWith("limit_exceeded");
+  const limit = error instanceof RangeError || error.message.startsWith("limit_exceeded");
   record(limit ? `this device is too small for the light field (${error.message})` : error.message);
 }
 
@@ -49,7 +50,9 @@ async function begin() {
     // It comes from another folder of the sources (gpu_ref/wgsl).
     const { LightField } = await import(new URL("light_field.js", import.meta.url).href);
     const field = await LightField.open(device, document.body.dataset.stream ?? "");
-    const view = new LiveView(device, field);
+    const frames = new GpuFrames(device, field);
+    const view = new LiveView(frames);
+    view.camera.aperture = 0; // the first frame is sharp: it needs the fewest bytes
     const stop = (/** @type {Error} */ error) => {
       view.end();
       fail(error);
@@ -62,6 +65,9 @@ async function begin() {
     view.failed = stop;
     control(view);
     await view.first;
+    performance.mark("first frame", { detail: field.client.file.received });
+    view.slideTo({ aperture: frames.start.aperture });
+    void frames.ahead();
     return view;
   } finally {
     clearTimeout(slow);

@@ -1,5 +1,5 @@
 // What a visitor does: gestures on the picture, the strip of controls, keys.
-import { any, input } from "./dom.js";
+import { any, input, placeOn } from "./dom.js";
 import { listen } from "./gestures.js";
 import { within } from "./live_view.js";
 import { Tilt } from "./tilt.js";
@@ -7,39 +7,21 @@ import { Tilt } from "./tilt.js";
 /** @typedef {import("./live_view.js").LiveView} LiveView */
 
 /**
- * Where the frame is on its canvas: object-fit leaves room aside or above.
- * @param {HTMLCanvasElement} canvas
- */
-function frameBox({ clientWidth, clientHeight, width, height }) {
-  const scale = Math.min(clientWidth / width, clientHeight / height);
-  const size = { width: width * scale, height: height * scale };
-  return { ...size, left: (clientWidth - size.width) / 2, top: (clientHeight - size.height) / 2 };
-}
-
-/**
  * A mark where the picture becomes sharp.
- * @param {LiveView} view @param {number} x @param {number} y in [0, 1) of the canvas
+ * @param {LiveView} view @param {number} x @param {number} y in [0, 1) of the frame
  */
 function focusAt(view, x, y) {
-  const box = frameBox(view.canvas);
-  const [left, top] = [x * view.canvas.clientWidth, y * view.canvas.clientHeight];
-  const [px, py] = [(left - box.left) / box.width, (top - box.top) / box.height];
-  if (!(px >= 0 && px < 1 && py >= 0 && py < 1)) return;
   const mark = any("mark");
   mark.hidden = true;
-  mark.style.left = `${left}px`;
-  mark.style.top = `${top}px`;
+  placeOn(view.canvas, mark, x, y);
   void mark.offsetWidth; // the animation begins anew
   mark.hidden = false;
-  void view.focusAt(px, py);
+  void view.focusAt(x, y);
 }
 
 const help = () => /** @type {HTMLDialogElement} */ (any("help")).showModal();
 
-const fill = () => void (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
-
-/** @param {LiveView} view */
-const restart = (view) => view.change(view.beginning());
+const fill = () => void (document.fullscreenElement ? document.exitFullscreen() : any("look").requestFullscreen());
 
 /**
  * Whether the key means something here.
@@ -59,7 +41,7 @@ function press(view, key, shift) {
   else if (key === "]") view.change({ focus: within(focus + 0.05, -256, 256) });
   else if (key === "a") view.slideTo({ aperture: (Math.floor(view.glide?.to.aperture ?? aperture) + 1) % 4 });
   else if (key === "f") fill();
-  else if (key === "0") restart(view);
+  else if (key === "0") view.restart();
   else if (key === " ") view.setOff();
   else if (key === "?") help();
   else return false;
@@ -88,32 +70,36 @@ function prepareTilt(view) {
   });
 }
 
-/** @param {LiveView} view */
-export function control(view) {
+/**
+ * @param {LiveView} view
+ * @param {(x: number, y: number, alt: boolean) => boolean} takes whether somebody else takes a click
+ */
+export function control(view, takes = () => false) {
   const { cols, rows } = view.facts;
   listen(view.canvas, {
     move: (dx, dy) => view.move(-dx * Math.max(1, cols - 1), -dy * Math.max(1, rows - 1)),
     turn: (dx, dy) => view.turn(-dx, -dy),
     advance: (steps) => view.advance(steps / 4),
-    click: (x, y) => focusAt(view, x, y),
+    click: (x, y, alt) => takes(x, y, alt) || focusAt(view, x, y),
   });
-  const { near, far } = document.body.dataset;
+  const [near, far] = view.frames.depths;
   Object.assign(input("focus"), { min: near, max: far });
   input("focus").addEventListener("input", () => view.change({ focus: Number(input("focus").value) }));
   input("blur").addEventListener("input", () => view.change({ aperture: Number(input("blur").value) }));
   any("motion").addEventListener("click", () => view.setOff());
-  any("middle").addEventListener("click", () => restart(view));
+  any("middle").addEventListener("click", () => view.restart());
   any("full").addEventListener("click", fill);
   any("full").hidden = !document.fullscreenEnabled;
   any("keys").addEventListener("click", help);
   any("fold").addEventListener("click", () => {
-    const open = document.body.classList.toggle("open");
+    const open = any("look").classList.toggle("open");
     any("fold").setAttribute("aria-expanded", String(open));
   });
   addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || event.target instanceof HTMLInputElement) return;
-    if (event.key === " " && event.target instanceof HTMLButtonElement) return;
-    if (press(view, event.key, event.shiftKey)) event.preventDefault();
+    const { ctrlKey, altKey, metaKey, shiftKey, key, target } = event;
+    if (ctrlKey || altKey || metaKey || any("look").hidden || !(target instanceof Element)) return;
+    if (target.closest("input, select, aside, dialog") || (key === " " && target instanceof HTMLButtonElement)) return;
+    if (press(view, key, shiftKey)) event.preventDefault();
   });
   prepareTilt(view);
   view.changed = () => show(view);
