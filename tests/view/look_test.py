@@ -193,7 +193,8 @@ class Look(PageCase):
         self.addCleanup(cdp, "Emulation.setEmulatedMedia", {"features": []})
         self.addCleanup(cdp, "Emulation.setTouchEmulationEnabled", {"enabled": False})
         self.open()
-        self.browser.until("a circle", lambda: self.place(self.browser.frame())[0] > 2.1)
+        query = "return document.getElementById('frame').dataset.query"  # of any frame: whole ones may wait for the circle to end
+        self.browser.until("a circle", lambda: (at := re.search(r"camera=([\d.]+)", self.browser.script(query) or "")) and float(at[1]) > 2.1)
         self.browser.element("tilt").click()
         before = self.place(self.frame_is_that_of_render())[0]
         self.browser.script("for (const gamma of [5, -5])"
