@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
     if (clocks > kResetClocks && sender.idle() && read(line, &byte, 1) == 1) sender.begin(byte);
     top.ftdi_txd = sender.step();
     top.btn_fire1 = clocks < kResetClocks / 2;
-    for (const int level : {0, 1, 0, 1}) {  // the system has half the clock
+    for (const int level : {0, 1}) {
       top.clk_25mhz = level;
       top.eval();
     }

@@ -95,9 +95,9 @@ int main(int argc, char** argv) {
   port = open(argv[1], O_RDWR | O_NOCTTY);
   if (port < 0 || tcgetattr(port, &settings) != 0) give_up("the port does not open");
   cfmakeraw(&settings);
-  cfsetspeed(&settings, B500000);
+  cfsetspeed(&settings, B1000000);
   settings.c_cc[VMIN] = 0;
   settings.c_cc[VTIME] = 100; /* tenths of a second until give_up */
-  if (tcsetattr(port, TCSAFLUSH, &settings) != 0) give_up("the port does not take 500 kBd");
+  if (tcsetattr(port, TCSAFLUSH, &settings) != 0) give_up("the port does not take 1 MBd");
   return soc_main(argv[2], (unsigned)atoi(argv[3]), (unsigned)atoi(argv[4]), argv[5]);
 }
