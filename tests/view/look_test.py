@@ -193,12 +193,11 @@ class Look(PageCase):
         self.addCleanup(cdp, "Emulation.setEmulatedMedia", {"features": []})
         self.addCleanup(cdp, "Emulation.setTouchEmulationEnabled", {"enabled": False})
         self.open()
-        query = "return document.getElementById('frame').dataset.query"  # of any frame: whole ones may wait for the circle to end
-        self.browser.until("a circle", lambda: (at := re.search(r"camera=([\d.]+)", self.browser.script(query) or "")) and float(at[1]) > 2.1)
+        past = "return /camera=([^,]+)/.exec(document.getElementById('frame').dataset.query)?.[1] > 2.1"  # whole or not
+        self.browser.until("a circle", lambda: self.browser.script(past))
         self.browser.element("tilt").click()
         before = self.place(self.frame_is_that_of_render())[0]
-        self.browser.script("for (const gamma of [5, -5])"
-                            "  dispatchEvent(new DeviceOrientationEvent('deviceorientation', {beta: 40, gamma}))")
+        self.browser.script("for (const gamma of [5, -5]) dispatchEvent(new DeviceOrientationEvent('deviceorientation', {beta: 40, gamma}))")
         self.browser.until("a tilt", lambda: abs(self.place(self.browser.frame())[0] - before + 0.64) < 0.001)
 
     def test_numbers_of_the_frame(self):
