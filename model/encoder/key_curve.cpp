@@ -45,6 +45,17 @@ KeyCurve::KeyCurve(const SamplePlane& plane, int steps, SamplePrecision precisio
   }
 }
 
+double KeyCurve::bits(double asked) const {
+  for (size_t i = 1; i < points_.size(); ++i) {
+    const KeyPoint& a = points_[i - 1].key;
+    const KeyPoint& b = points_[i].key;
+    if (asked >= b.asked) continue;
+    const double share = std::log(asked / a.asked) / std::log(b.asked / a.asked);
+    return a.bits + (b.bits - a.bits) * std::max(0.0, share);
+  }
+  return points_.back().key.bits;
+}
+
 KeyCurve::Priced KeyCurve::least(double weight, Lambda lambda) const {
   const double bit = static_cast<double>(lambda.scaled) / 256;
   Priced best{points_.front().key, std::numeric_limits<double>::max()};

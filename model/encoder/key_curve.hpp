@@ -45,6 +45,8 @@ class KeyCurve {
   /// one of a fixed series, four for each doubling, so that the last digits of a machine's
   /// logarithms do not matter.
   KeyPoint cheapest(double weight, Lambda lambda) const { return least(weight, lambda).key; }
+  /// The bits of a sample at the error `asked`.
+  double bits(double asked) const;
   double cost(double weight, Lambda lambda) const { return least(weight, lambda).cost; }
 
  private:

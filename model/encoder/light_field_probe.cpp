@@ -23,9 +23,9 @@ constexpr int64_t kNoResidual = int64_t{1} << 40;
 // on either.
 constexpr Lambda kUsualLambda{int64_t{256} << 5};
 constexpr size_t kUsualImages = 24;
-// Steps of the refinement of key images that are tried. More sharpen an image further and cost
-// bits; where there is noise, they take it out.
-constexpr std::array kRefinementSteps{2, 4};
+// Steps of the refinement of key images that are tried; 0 leaves the view. More sharpen an image
+// further and cost bits; where there is noise, they take it out.
+constexpr std::array kRefinementSteps{0, 2, 4};
 // The share of a key image's error that is left in what is interpolated from it, where that cannot
 // be measured.
 constexpr double kInterpolatedError = 0.65;

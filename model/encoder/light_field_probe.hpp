@@ -16,7 +16,8 @@ namespace hmlfc {
 struct LightFieldProbe {
   DisparityRange disparities;  ///< in units of the header's disparity_precision
   int row_scale = 16;          ///< 16, or -16 where rows run against their parallax
-  /// Of the view in the middle, refined for those around it; empty without lossy_keys.
+  /// Of the view in the middle: as it is, then refined for those around it, if there are any. Empty
+  /// without lossy_keys.
   std::array<std::vector<KeyCurve>, kPlaneCount> keys;
 };
 

@@ -35,15 +35,35 @@ Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
 constexpr double kSeenError = 0.8;
 constexpr double kSeenErrorOfOne = 1;  // without a tree and with one key image: no second one
 
+// Images of a group, as the curves are measured.
+constexpr double kImagesOfCurves = 25;
+
+double images_per_key(const Geometry& geometry) {
+  return static_cast<double>(geometry.level(0).images()) /
+         static_cast<double>(geometry.key_count());
+}
+
 // Returns the weight of the error in images predicted from a key image; of its own it is 1.
 double key_weight(const StreamHeader& header, const EncodeParams& params) {
   const Geometry geometry(header);
-  const double images_per_key =
-      static_cast<double>(geometry.level(0).images()) / static_cast<double>(geometry.key_count());
   const bool one = header.tree_height == 0 && geometry.key_count() == 1;
   const double seen = one ? kSeenErrorOfOne : kSeenError;
   const double factor = params.extended.key_weight > 0 ? params.extended.key_weight : 1;
-  return factor * seen * (images_per_key - 1);
+  return factor * seen * (images_per_key(geometry) - 1);
+}
+
+// The cheapest key image of groups of `images`. The fewer they are, the less noise does refinement
+// take out: about as many bits as the logarithm of their number says.
+KeyPoint cheapest_key(const std::vector<KeyCurve>& curves, double weight, Lambda lambda,
+                      double images) {
+  const KeyCurve& view = curves.front();
+  if (curves.size() == 1 || images <= 1) return view.cheapest(weight, lambda);
+  const auto cost = [&](const KeyCurve& curve) { return curve.cost(weight, lambda); };
+  const auto refined = std::ranges::min_element(curves.begin() + 1, curves.end(), {}, cost);
+  KeyPoint key = refined->cheapest(weight, lambda);
+  const double unrefined = std::max(0.0, 1 - std::log(images) / std::log(kImagesOfCurves));
+  key.bits += unrefined * (view.bits(key.asked) - key.bits);
+  return key;
 }
 
 }  // namespace
@@ -77,9 +97,8 @@ PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& param
     rules.lambda = plane_lambda(lambda, plane, header.chroma_format);
     rules.step_code = step_code_of(rules.lambda);
     if (params.lossless) continue;
-    const auto& curves = probe.keys[static_cast<size_t>(plane)];
-    const auto cost = [&](const KeyCurve& curve) { return curve.cost(weight, rules.lambda); };
-    target.key = std::ranges::min_element(curves, {}, cost)->cheapest(weight, rules.lambda);
+    target.key = cheapest_key(probe.keys[static_cast<size_t>(plane)], weight, rules.lambda,
+                              images_per_key(Geometry(header)));
   }
   return targets;
 }
