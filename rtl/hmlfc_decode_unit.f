@@ -26,7 +26,6 @@ lib/hmlfc_divide.sv
 lib/hmlfc_multiply_add.sv
 unit/hmlfc_plane_size.sv
 unit/hmlfc_geometry.sv
-lib/hmlfc_aligned_read.sv
 unit/hmlfc_header.sv
 unit/hmlfc_loader.sv
 unit/hmlfc_registers.sv
@@ -39,7 +38,6 @@ unit/hmlfc_vector.sv
 unit/hmlfc_reference_ask.sv
 unit/hmlfc_reference_lines.sv
 unit/hmlfc_window_axis.sv
-unit/hmlfc_reference_window.sv
 unit/hmlfc_reference_lookup.sv
 unit/hmlfc_strip_fill.sv
 unit/hmlfc_reference_cache.sv

@@ -53,7 +53,7 @@ module prove_answer #(
   (* hierconn *) wire [N-1:0] \dut.signs_2 ;
   (* hierconn *) wire [N-1:0] \dut.signs_3 ;
   (* hierconn *) wire [L-1:0] \dut.lanes_3 ;
-  (* hierconn *) wire [L+6:0] \dut.out.skid ;
+  (* hierconn *) wire [L+6:0] \dut.g_block.out.skid ;
 
   // The latest last blocks of requests for RGB: {error, samples}, and the place of that of Y.
   wire         kept = in_valid && in_ready && job.rgb && job.last;
@@ -150,7 +150,7 @@ module prove_answer #(
       if (waiting) assert (out_valid && {out_last, out_error, out_data} == waiting_answer);
       if (following) assert (ahead < held);
       if (following && out_valid && ahead == 0) assert ({out_last, out_error, out_data} == {e[P+6:P], lanes});
-      if (following && !\dut.advance_out && ahead == at_skid) assert (\dut.out.skid == {e[P+6:P], lanes});
+      if (following && !\dut.advance_out && ahead == at_skid) assert (\dut.g_block.out.skid == {e[P+6:P], lanes});
       if (following && \dut.valid [3] && ahead == at_3)
         assert ({\dut.rgb [3], \dut.last [3], \dut.status_3 } == e[P +: 8] &&
             (e[P+7] || {\dut.signs_3 , \dut.y_3 } == {e[3*P+8 +: N], e[P-1:0]}));

@@ -7,9 +7,10 @@
 // Engine: sat 1
 // Complete: combinational; one instance for each level code and slot.
 module prove_bise_element #(
-  parameter integer VALUE_BITS = 10
-) (input logic [63:0] window, input logic [6:0] bits_left);
-  wire [63:0] present = window & ~({64{1'b1}} << bits_left);
+  parameter integer VALUE_BITS = 10,
+  localparam integer G = 5 * VALUE_BITS - 2  // bits of the longest digit group
+) (input logic [G-1:0] window, input logic [6:0] bits_left);
+  wire [G-1:0] present = window & ~({G{1'b1}} << bits_left);
   generate
     for (genvar code = 0; code <= 3 * VALUE_BITS - 3; code = code + 1) begin : each
       localparam [14:0] LEVELS = spec_levels(code);
@@ -20,7 +21,7 @@ module prove_bise_element #(
       // BISE-5, BISE-6: the first bit of m_0 to m_4, T and Q.
       localparam [39:0] M = DIGIT == 3 ? {8'(4 * n + 7), 8'(3 * n + 5), 8'(2 * n + 4), 8'(n + 2), 8'd0}
                                        : {16'd0, 8'(2 * n + 5), 8'(n + 3), 8'd0};
-      wire [95:0] s = {32'd0, present};
+      wire [95:0] s = 96'(present);
       wire [7:0]  T = {s[5*n+7], s[4*n+6], s[4*n+5], s[3*n+4], s[2*n+3], s[2*n+2], s[n+1], s[n]};
       wire [6:0]  Q = {s[3*n+6], s[3*n+5], s[2*n+4], s[2*n+3], s[n+2], s[n+1], s[n]};
       wire [9:0]  trits = spec_trits(T);
@@ -33,7 +34,7 @@ module prove_bise_element #(
         hmlfc_bise_element #(.VALUE_BITS(VALUE_BITS)) dut (
           .window(window), .bits_left(bits_left), .level_code(6'(code)), .slot(3'(slot)), .value(value));
         always @* begin
-          if (bits_left <= 64) begin
+          if (bits_left <= G) begin
             assert (32'(value) == (d << n) + {22'd0, m});
             assert (15'(value) < LEVELS);
           end

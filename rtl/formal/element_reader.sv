@@ -9,7 +9,8 @@
 module prove_element_reader #(
   parameter integer WORD_BITS = 8,
   parameter integer VALUE_BITS = 10,
-  parameter integer WINDOW_BITS = 128
+  parameter integer WINDOW_BITS = 128,
+  localparam integer G = 5 * VALUE_BITS - 2
 ) (
   input logic clk, input logic advance, input logic [WORD_BITS+5:0] position, input logic [13:0] total,
       input logic [5:0] level_code,
@@ -31,13 +32,13 @@ module prove_element_reader #(
   localparam integer ASKED = WORD_BITS + 6 + 14 + 6 + 3;
   logic [3:0]       filled = 4'd0;
   logic [ASKED-1:0] asked_1, asked_2, asked_3;
-  logic [63:0]      bits;
+  logic [G-1:0]     bits;
   wire [WORD_BITS+5:0] begins_1 = asked_1[ASKED-1 -: WORD_BITS+6];
   wire [5:0]           shift_2 = asked_2[23 +: 6];
   wire [13:0]          left_3 = asked_3[9 +: 14];
   wire [WINDOW_BITS-1:0] shifted = window >> shift_2;
   logic [VALUE_BITS-1:0] element, expected;
-  (* hierconn *) wire [63:0] \dut.bits_3 ;
+  (* hierconn *) wire [G-1:0] \dut.bits_3 ;
   (* hierconn *) wire [6:0] \dut.left_3 ;
   (* hierconn *) wire [5:0] \dut.code_3 ;
   (* hierconn *) wire [2:0] \dut.slot_3 ;
@@ -48,7 +49,7 @@ module prove_element_reader #(
       filled <= {filled[2:0], 1'b1};
       asked_1 <= {(WORD_BITS+6)'(position + group_bit), 14'(total - group_bit), level_code, slot};
       {asked_3, asked_2} <= {asked_2, asked_1};
-      bits <= shifted[63:0];
+      bits <= shifted[G-1:0];
       expected <= element;
     end
   end
@@ -57,7 +58,7 @@ module prove_element_reader #(
     assert (read_enable == advance);
     if (filled[0]) assert (read_word == begins_1[WORD_BITS+5:6]);
     if (filled[2])
-      assert (\dut.bits_3 == bits && \dut.left_3 == (left_3 < 64 ? left_3[6:0] : 7'd64) &&
+      assert (\dut.bits_3 == bits && \dut.left_3 == (left_3 < G ? left_3[6:0] : 7'(G)) &&
           {\dut.code_3 , \dut.slot_3 } == asked_3[8:0]);
     if (filled[3]) assert (value == expected);
   end

@@ -21,7 +21,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent
 ROOT = RTL.parent
 NEEDED = {"yosys": "yosys", "nextpnr-ecp5": "nextpnr-ecp5", "ecppack": "fpga-trellis", "verilator": "verilator"}
-BLOCK = "2"  # of the streams: 2^BLOCK_LOG2 of ulx3s.sv
 BOARD_MHZ = 25.0
 GOAL_MHZ = 12.5  # of nextpnr: a goal that placement reaches leaves room to route
 SKIPPED = 77
@@ -58,12 +57,12 @@ def simulate(hmlfc: pathlib.Path, folder: pathlib.Path, netlist: pathlib.Path | 
     """A view of a small stream through the serial port, compared with hmlfc decode byte for byte."""
     folder.mkdir(parents=True, exist_ok=True)
     run(hmlfc, "synth", "--scene", "cards", "--grid", "2x2", "--size", "32x24", "--force", "-o", folder / "views")
-    run(hmlfc, "encode", folder / "views", "--height", "1", "--block", BLOCK, "--force", "-o", folder / "small.hmlfc")
+    run(hmlfc, "encode", folder / "views", "--height", "1", "--force", "-o", folder / "small.hmlfc")
     run(hmlfc, "decode", folder / "small.hmlfc", "--view", "1,1", "--force", "-o", folder / "decoded")
     run("make", "-s", "-f", HERE / "Makefile", f"BUILD={folder}", f"NETLIST={netlist or ''}", f"CELLS={cells()}", folder / "fpga_bench")
     out = folder / "view.ppm"
     out.unlink(missing_ok=True)
-    say(run(folder / "fpga_bench", folder / "fpga_host", folder / "small.hmlfc", 1, 1, out).strip())
+    say(run(folder / "fpga_bench", folder / "fpga_host", folder / "small.hmlfc", 1, 1, out, 600).strip())
     from PIL import Image
     one, two = (Image.open(name).convert("RGB").tobytes() for name in (out, folder / "decoded" / "01_01.png"))
     if one != two or len(set(one)) < 10:

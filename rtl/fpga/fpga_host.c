@@ -1,5 +1,7 @@
 /* Decodes a view on the board: the program of rtl/example over a serial port (fpga_commands.sv).
- *   fpga_host PORT STREAM ROW COL OUT.ppm
+ *   fpga_host PORT STREAM ROW COL OUT.ppm [SECONDS]
+ * SECONDS: how long the board may take to answer, [10, 36000], by tens; 10
+ * without. A simulation takes longer.
  * The memory here and the board's are two: what the driver cleans goes to the board, what it
  * invalidates comes from there, and each transfer's CRC is compared. */
 #define _DEFAULT_SOURCE
@@ -16,6 +18,7 @@ enum { MEMORY_BYTES = 1 << 16, PIECE = 1024, LEAST_STATUS = 3 };
 
 static uint8_t memory[MEMORY_BYTES];
 static int port;
+static int patience = 1; /* times 10 s */
 
 static void give_up(const char* what) {
   fprintf(stderr, "fpga_host: %s\n", what);
@@ -32,9 +35,11 @@ static void send(const uint8_t* from, size_t count) {
 }
 
 static void receive(uint8_t* to, size_t count) {
-  while (count > 0) {
+  for (int waits = 0; count > 0;) {
     const ssize_t done = read(port, to, count);
-    if (done <= 0) give_up("the board does not answer; is it configured, and the port right?");
+    if (done < 0 || (done == 0 && ++waits >= patience)) {
+      give_up("the board does not answer; is it configured, and the port right?");
+    }
     to += done;
     count -= (size_t)done;
   }
@@ -91,13 +96,14 @@ void soc_sleep(unsigned clocks) { (void)clocks; }
 
 int main(int argc, char** argv) {
   struct termios settings;
-  if (argc != 6) give_up("usage: fpga_host PORT STREAM ROW COL OUT.ppm");
+  if (argc != 6 && argc != 7) give_up("usage: fpga_host PORT STREAM ROW COL OUT.ppm [SECONDS]");
+  if (argc == 7) patience = atoi(argv[6]) / 10;
   port = open(argv[1], O_RDWR | O_NOCTTY);
   if (port < 0 || tcgetattr(port, &settings) != 0) give_up("the port does not open");
   cfmakeraw(&settings);
   cfsetspeed(&settings, B1000000);
   settings.c_cc[VMIN] = 0;
-  settings.c_cc[VTIME] = 100; /* tenths of a second until give_up */
+  settings.c_cc[VTIME] = 100; /* tenths of a second */
   if (tcsetattr(port, TCSAFLUSH, &settings) != 0) give_up("the port does not take 1 MBd");
   return soc_main(argv[2], (unsigned)atoi(argv[3]), (unsigned)atoi(argv[4]), argv[5]);
 }

@@ -6,7 +6,7 @@
 module ulx3s #(
     parameter int SIZE_LOG2 = 16,
     parameter int CLOCKS_PER_BIT = 25,
-    parameter int BLOCK_LOG2 = 1
+    parameter int BLOCK_LOG2 = 2
 ) (
     input logic clk_25mhz,
     input logic btn_fire1,

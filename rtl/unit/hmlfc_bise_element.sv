@@ -3,8 +3,8 @@
 //
 // VALUE_BITS   [4, 10]; the level count is at most 2^VALUE_BITS
 //
-// window       the sequence from the digit group's first bit on (hmlfc_bise_place)
-// bits_left    bits from there to the sequence's end, 64 if there are more; at least those of the
+// window       the sequence from the digit group's first bit on (hmlfc_bise_place), as long as the longest group
+// bits_left    bits from there to the sequence's end, up to those of the window; at least those of the
 //              slots up to this (BISE-3); bits beyond read as 0 (BISE-7)
 // level_code   [0, 3 * VALUE_BITS - 3]
 // slot         place in the digit group: [0, 4] with trits, [0, 2] with quints, 0 without digits
@@ -14,9 +14,10 @@
 `default_nettype none
 
 module hmlfc_bise_element #(
-    parameter int VALUE_BITS = 10
+    parameter int VALUE_BITS = 10,
+    localparam int GROUP_BITS = 5 * VALUE_BITS - 2
 ) (
-    input logic [63:0] window,
+    input logic [GROUP_BITS-1:0] window,
     input logic [6:0] bits_left,
     input logic [5:0] level_code,
     input logic [2:0] slot,
@@ -24,11 +25,11 @@ module hmlfc_bise_element #(
 );
   logic [1:0]  kind;
   logic [3:0]  n;
-  logic [63:0] present;
+  logic [GROUP_BITS-1:0] present;
 
   assign kind = hmlfc_digit_kind(level_code);
   assign n = hmlfc_plain_bits(level_code);
-  assign present = window & ~({64{1'b1}} << bits_left);
+  assign present = window & ~({GROUP_BITS{1'b1}} << bits_left);
 
   // Digit bits that stand before the value's plain bits.
   logic [2:0] digits_before;

@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 `default_nettype none
 
-// The pixels of a block from its samples of Y, Co and Cg (COL-2).
+// The pixels of a block, or of some of its rows, from its samples of Y, Co and Cg (COL-2).
 //
 // BLOCK_LOG2   [1, 3], B = 2^BLOCK_LOG2
+// ROWS         [1, B], of the block in a clock
 // MAX_DEPTH    [8, 12]; samples have MAX_DEPTH + 1 bits in two's complement
 //
-// y, co, cg    B * B samples each, (x, y) as number y * B + x; Co and Cg are those that the pixels
+// y, co, cg    B * ROWS samples each, (x, y) as number y * B + x; Co and Cg are those that the pixels
 //              take (COL-3)
 // depth        [8, MAX_DEPTH]
 // lanes        R, G and B in [0, 2^depth - 1] in 16 bits each: sample i of lane c at bits
-//              16 * (c * B * B + i) on
+//              16 * (c * B * ROWS + i) on
 //
-// Latency 2 clocks with advance, one block a clock: t; R, G and B, each one addition away from t.
+// Latency 2 clocks with advance, ROWS rows a clock: t; R, G and B, each one addition away from t.
 // R = B + Co = t - (Co >> 1) + Co is t + (Co >> 1) + 1 with an odd Co, else without the 1. Shifts are floors (CNV-1).
 module hmlfc_colour #(
     parameter int BLOCK_LOG2 = 2,
+    parameter int ROWS = 1 << BLOCK_LOG2,
     parameter int MAX_DEPTH = 8
 ) (
     input logic clk,
     input logic advance,
-    input logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+1)-1:0] y,
-    input logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+1)-1:0] co,
-    input logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+1)-1:0] cg,
+    input logic [(ROWS<<BLOCK_LOG2)*(MAX_DEPTH+1)-1:0] y,
+    input logic [(ROWS<<BLOCK_LOG2)*(MAX_DEPTH+1)-1:0] co,
+    input logic [(ROWS<<BLOCK_LOG2)*(MAX_DEPTH+1)-1:0] cg,
     input logic [3:0] depth,
-    output logic [3*(1<<(2*BLOCK_LOG2))*16-1:0] lanes
+    output logic [3*(ROWS<<BLOCK_LOG2)*16-1:0] lanes
 );
-  localparam integer SAMPLES = 1 << (2 * BLOCK_LOG2);
+  localparam integer SAMPLES = ROWS << BLOCK_LOG2;
   localparam integer SAMPLE_BITS = MAX_DEPTH + 1;
   localparam integer SUM_BITS = MAX_DEPTH + 2;  // of t, G, B and R before their clamps
 

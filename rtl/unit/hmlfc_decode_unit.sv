@@ -18,6 +18,7 @@ module hmlfc_decode_unit #(
     parameter int CACHES = 2,          // 1, 2
     parameter int CACHE_STRIPS = 512,  // 64..1024, a power of two
     parameter int STRIP_READ = 32,     // 32, 64
+    parameter int BLOCK_CLOCKS = 1,    // 1, 2, 4, at most 2^BLOCK_LOG2: that the samples of a block take
     parameter int TRACE = 1,           // 0..1; 0: nothing is kept for the trace, which is 0
     parameter logic [2:0] AXI_PROT = 3'b010,   // what AxPROT, AxCACHE and AxQOS are: data, not secure, not privileged;
     parameter logic [3:0] AXI_CACHE = 4'b0011, // normal memory, not cacheable, bufferable;
@@ -122,6 +123,9 @@ module hmlfc_decode_unit #(
     $error("CACHE_STRIPS is a power of two, 64 to 1024");
   end
   if (STRIP_READ != 32 && STRIP_READ != 64) begin : check_strip_read $error("STRIP_READ is 32 or 64"); end
+  if (BLOCK_CLOCKS < 1 || BLOCK_CLOCKS == 3 || BLOCK_CLOCKS > (BLOCK_LOG2 == 1 ? 2 : 4)) begin : check_block_clocks
+    $error("BLOCK_CLOCKS is 1, 2 or 4, and at most the rows of a block");
+  end
   if (TRACE < 0 || TRACE > 1) begin : check_trace $error("TRACE is 0 or 1"); end
 `endif
 
@@ -132,10 +136,12 @@ module hmlfc_decode_unit #(
   localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS;
   localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS;
   localparam int VIEW_BITS = hmlfc_pkg::VIEW_BITS;
+  localparam int VIEWS = BLOCK_CLOCKS > 1 ? 4 : hmlfc_pkg::VIEWS;  // held
+  localparam int SLOT_BITS = $clog2(VIEWS);
   localparam int LEVELS = hmlfc_pkg::LEVELS;
   localparam int LEVEL_BITS = hmlfc_pkg::LEVEL_BITS;
   localparam int RESIDUAL_BITS = SAMPLES * VALUE_BITS;
-  localparam int WINDOW_BITS = ((1 << BLOCK_LOG2) + 1) * ((1 << BLOCK_LOG2) + 1) * VALUE_BITS;
+  localparam int WINDOW_BITS = ((1 << BLOCK_LOG2) / BLOCK_CLOCKS + 1) * ((1 << BLOCK_LOG2) + 1) * VALUE_BITS;
   localparam int REQUESTS = 512;  // in flight at once, at most
 
   // ---- The read master and its clients.
@@ -188,7 +194,7 @@ module hmlfc_decode_unit #(
   assign s_request_tready = requests_ready && list_ready;
 
   logic view_start, view_done, image_write;
-  logic [VIEW_BITS-1:0] view_slot;
+  logic [SLOT_BITS-1:0] view_slot;
   logic [9:0] view_row, view_col;
   logic [LEVELS-1:0] view_keys;
   logic [2:0] image_level;
@@ -198,13 +204,13 @@ module hmlfc_decode_unit #(
   hmlfc_pkg::image_references_t reference_image;
   logic job_valid, job_ready, chroma_spoiled;
   hmlfc_pkg::job_t job;
-  hmlfc_requests requests (
+  hmlfc_requests #(.VIEWS(VIEWS)) requests (
       .clk, .rst_n, .stream, .enable, .load_error, .flush, .s_valid(s_request_tvalid && list_ready),
       .s_ready(requests_ready), .s_data(s_request_tdata), .s_last(s_request_tlast), .view_start, .view_row, .view_col,
       .view_slot, .view_done, .view_keys, .job_valid, .job_ready, .job, .chroma_spoiled, .finished_valid(block_done),
-      .finished_slot(done_pending.job.id[3+:VIEW_BITS])
+      .finished_slot(done_pending.job.id[3+:SLOT_BITS])
   );
-  hmlfc_view view (
+  hmlfc_view #(.UNITS(BLOCK_CLOCKS > 1 ? 1 : 2)) view (
       .clk, .rst_n, .stream, .levels, .start(view_start), .view_row, .view_col, .done(view_done), .keys(view_keys),
       .write(image_write), .write_level(image_level), .write_image(view_image)
   );
@@ -222,7 +228,8 @@ module hmlfc_decode_unit #(
       .out_ready(tiles_ready), .out_data({tiles_job, tiles_image})
   );
   hmlfc_tile_stores #(
-      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS), .TILE_CONTEXTS(TILE_CONTEXTS)
+      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS), .TILE_CONTEXTS(TILE_CONTEXTS),
+      .BLOCK_CLOCKS(BLOCK_CLOCKS)
   ) tiles (
       .clk, .rst_n, .stream, .flush, .in_valid(tiles_valid), .in_ready(tiles_ready), .in_job(tiles_job),
       .in_image(tiles_image), .disparity_id, .disparity_first_tile, .out_valid(flow_valid), .out_ready(flow_ready),
@@ -248,7 +255,7 @@ module hmlfc_decode_unit #(
   logic [2*WINDOW_BITS-1:0] window;
   hmlfc_references #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(AXI_DATA_BITS),
       .CACHES(CACHES), .CACHE_STRIPS(CACHE_STRIPS), .FILLS(1 << $clog2(OUTSTANDING)),
-      .STRIP_READ(STRIP_READ)) references (
+      .STRIP_READ(STRIP_READ), .CLOCKS(BLOCK_CLOCKS)) references (
       .clk, .rst_n, .stream, .flush, .in_valid(placed_valid), .in_ready(placed_ready), .in_flow(placed),
       .in_image(reference_image), .in_has_residual(placed_has_residual), .in_residual(placed_residual),
       .out_valid(pending_valid), .out_ready(pending_ready), .out_pending(pending), .out_residual(pending_residual),
@@ -261,7 +268,7 @@ module hmlfc_decode_unit #(
   logic [5:0] done_error;
   logic [SAMPLES*SAMPLE_BITS-1:0] done_sample, done_prediction;
   logic [SAMPLES*VALUE_BITS-1:0] done_residual, done_reference;
-  hmlfc_compose #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .TRACE(TRACE)) compose (
+  hmlfc_compose #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .CLOCKS(BLOCK_CLOCKS), .TRACE(TRACE)) compose (
       .clk, .rst_n, .depth(stream.depth), .in_valid(pending_valid), .in_ready(pending_ready), .in_pending(pending),
       .in_residual(pending_residual), .a_valid(window_valid[0]), .a_ready(window_ready[0]),
       .a_error(window_error[0+:6]), .a_window(window[0+:WINDOW_BITS]), .b_valid(window_valid[1]),
@@ -271,7 +278,7 @@ module hmlfc_decode_unit #(
       .out_prediction(done_prediction)
   );
   assign block_done = done_valid && done_ready;
-  hmlfc_answer #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) answers (
+  hmlfc_answer #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .CLOCKS(BLOCK_CLOCKS)) answers (
       .clk, .rst_n, .depth(stream.depth), .chroma_444(stream.chroma_444), .in_valid(done_valid), .in_ready(done_ready),
       .in_job(done_pending.job), .in_error(done_error), .in_sample(done_sample),
       .in_has_residual(done_pending.has_residual), .in_residual(done_residual), .chroma_spoiled,
@@ -281,23 +288,17 @@ module hmlfc_decode_unit #(
 
   logic [hmlfc_pkg::GRID_BITS-1:0] done_row, done_col;
   hmlfc_images #(.TRACE(TRACE)) images (
-      .clk, .shallow(stream.tree_height < 3'd4), .write(image_write), .write_id({view_slot, image_level}),
-      .write_image(view_image), .tiles_id(job.id), .tiles(ask_image), .disparity_id,
+      .clk, .shallow(stream.tree_height < 3'd4), .write(image_write), .write_image(view_image),
+      .write_id((VIEW_BITS + 3)'({view_slot, image_level})), .tiles_id(job.id), .tiles(ask_image), .disparity_id,
       .disparity_tile(disparity_first_tile), .references_read(flow_ready), .references_id(flow.job.id),
       .references(reference_image), .place_id(done_pending.job.id), .place({done_row, done_col})
   );
 
   if (TRACE != 0) begin : g_trace
-    assign trace_valid = block_done;
-    assign trace_level = 4'(done_pending.job.id[2:0]);
-    assign trace_plane = done_pending.job.plane;
-    assign trace_bx = 15'(done_pending.job.bx);
-    assign trace_by = 15'(done_pending.job.by);
-    assign trace_row = 12'(done_row);
-    assign trace_col = 12'(done_col);
-    assign trace_key = done_pending.key;
-    assign trace_motion = done_pending.motion;
-    assign trace_negative = done_pending.negative;
+    assign {trace_valid, trace_level, trace_plane} = {block_done, 4'(done_pending.job.id[2:0]), done_pending.job.plane};
+    assign {trace_bx, trace_by} = {15'(done_pending.job.bx), 15'(done_pending.job.by)};
+    assign {trace_row, trace_col} = {12'(done_row), 12'(done_col)};
+    assign {trace_key, trace_motion, trace_negative} = {done_pending.key, done_pending.motion, done_pending.negative};
     assign trace_references = !done_pending.motion ? 2'd0 : done_pending.two ? 2'd2 : 2'd1;
     assign {trace_ix_a, trace_iy_a, trace_fx_a, trace_fy_a} =
         {done_pending.ix_a, done_pending.iy_a, done_pending.fx_a, done_pending.fy_a};
@@ -305,8 +306,7 @@ module hmlfc_decode_unit #(
         {done_pending.ix_b, done_pending.iy_b, done_pending.fx_b, done_pending.fy_b};
     assign trace_has_residual = done_pending.has_residual;
     assign {trace_residual, trace_reference, trace_prediction} = {done_residual, done_reference, done_prediction};
-    assign trace_sample = done_sample;
-    assign trace_error = done_error;
+    assign {trace_sample, trace_error} = {done_sample, done_error};
   end else begin : g_no_trace
     assign {trace_valid, trace_level, trace_plane, trace_bx, trace_by, trace_row, trace_col, trace_key, trace_motion,
         trace_negative} = '0;

@@ -8,7 +8,8 @@
 module hmlfc_element_reader #(
     parameter int WORD_BITS = 8,  // of word addresses of the memory
     parameter int VALUE_BITS = 10,
-    parameter int WINDOW_BITS = 128
+    parameter int WINDOW_BITS = 128,
+    localparam int GROUP_BITS = 5 * VALUE_BITS - 2  // of the longest digit group: trits with VALUE_BITS - 2 plain bits
 ) (
     input logic clk,
     input logic advance,
@@ -33,14 +34,14 @@ module hmlfc_element_reader #(
       .group_bit,
       .slot
   );
-  logic [WORD_BITS+5:0] position_1, group_1;
-  logic [13:0] total_1;
+  logic [WORD_BITS+5:0] position_1;
+  logic [13:0] group_1, total_1;
   logic [5:0] code_1, code_2, code_3;
   logic [2:0] slot_1, slot_2, slot_3;
   always_ff @(posedge clk) begin
     if (advance) begin
       position_1 <= position;
-      group_1 <= (WORD_BITS + 6)'(group_bit);
+      group_1 <= group_bit;
       total_1 <= total;
       code_1 <= level_code;
       slot_1 <= slot;
@@ -48,8 +49,8 @@ module hmlfc_element_reader #(
   end
 
   // 2: read the digit group.
-  wire [WORD_BITS+5:0] at = position_1 + group_1;
-  wire [13:0] left = total_1 - 14'(group_1);
+  wire [WORD_BITS+5:0] at = position_1 + (WORD_BITS + 6)'(group_1);
+  wire [13:0] left = total_1 - group_1;
   assign read_enable = advance;
   assign read_word = at[WORD_BITS+5:6];
   logic [5:0] shift_2;
@@ -57,17 +58,17 @@ module hmlfc_element_reader #(
   always_ff @(posedge clk) begin
     if (advance) begin
       shift_2 <= at[5:0];
-      left_2 <= left > 14'd64 ? 7'd64 : 7'(left);
+      left_2 <= left > 14'(GROUP_BITS) ? 7'(GROUP_BITS) : 7'(left);
       code_2 <= code_1;
       slot_2 <= slot_1;
     end
   end
 
   // 3: its bits.
-  logic [63:0] bits_3;
+  logic [GROUP_BITS-1:0] bits_3;
   always_ff @(posedge clk) begin
     if (advance) begin
-      bits_3 <= 64'(window >> shift_2);
+      bits_3 <= GROUP_BITS'(window >> shift_2);
       left_3 <= left_2;
       code_3 <= code_2;
       slot_3 <= slot_2;

@@ -76,24 +76,30 @@ module hmlfc_header #(
   } state_t;
   state_t state;
 
-  logic read_start, read_idle, read_done, read_error;
+  // Pieces of 16 bytes, which lie within a beat or take two of 64 bits.
+  localparam int BEAT_LOG2 = $clog2(DATA_BITS / 8);
+  localparam int BEATS = DATA_BITS < 128 ? 2 : 1;
+  logic read_start, reading, read_done, read_error;
   logic [127:0] bytes, piece;
   logic [15:0] at;  // the next byte of the header
-  hmlfc_aligned_read #(
-      .DATA_BITS(DATA_BITS)
-  ) read (
-      .clk,
-      .rst_n,
-      .start(read_start),
-      .address(stream_base + ADDRESS_BITS'(at)),
-      .idle(read_idle),
-      .done(read_done),
-      .bytes,
-      .error(read_error),
-      .request,
-      .response,
-      .data
-  );
+  wire [255:0] beat = 256'(data);
+  wire [127:0] came = DATA_BITS == 64 ? {beat[63:0], bytes[127:64]} :
+      DATA_BITS == 256 && at[4] ? beat[255:128] : beat[127:0];
+  always_ff @(posedge clk) begin
+    read_done <= 1'b0;
+    if (read_start) begin
+      request.address <= (stream_base + ADDRESS_BITS'(at)) >> BEAT_LOG2 << BEAT_LOG2;
+      request.beats <= 10'(BEATS);
+      read_error <= 1'b0;
+    end
+    if (reading && response.valid) begin
+      bytes <= came;
+      read_error <= read_error || response.error;
+      read_done <= response.last;
+    end
+    request.valid <= rst_n && (read_start || (request.valid && !response.ready));
+    reading <= rst_n && (read_start || (reading && !(response.valid && response.last)));
+  end
 
   logic [FIXED*8-1:0] fixed;
   logic [23:0] level;  // the last bytes of level entries that came
@@ -208,7 +214,7 @@ module hmlfc_header #(
   assign tile_offset = section_bytes[3*192+64+:64];
   assign tile_size = section_bytes[3*192+128+:64];
 
-  assign read_start = state == READ && read_idle && !read_done && !(at == 0 && tiny);
+  assign read_start = state == READ && !reading && !read_done && !(at == 0 && tiny);
 
   always_ff @(posedge clk) begin
     done <= 1'b0;

@@ -4,10 +4,11 @@
 // The samples of blocks from their parents, prediction references and residuals (DEC-2, DEC-3, EXT-5).
 //
 // BLOCK_LOG2   [1, 3], B = 2^BLOCK_LOG2
+// ROWS         of the block in a clock, a power of two in [1, B]: the block comes in B / ROWS parts, from the top
 // MAX_DEPTH    [8, 12]; samples have MAX_DEPTH + 1 bits, references and residuals MAX_DEPTH + 2,
 //              all in two's complement, sample (x, y) as number y * B + x
 //
-// valid          a block comes; what else comes without it does not matter
+// valid          a part comes; what else comes without it does not matter
 // chained        the parent P(x, y) is the sample of the block that came before this one; else P = 0
 // key            a block of a key image: P(x, y) = ref(x, y), in [lo, hi]; not with motion
 // references     ref(x + dx, y + dy) or R(x, y) of MOT-9, in [-M, M]; used with motion or key
@@ -18,10 +19,10 @@
 // has_residual   state residual only, or motion and residual
 // chroma         the plane is Co or Cg
 // depth          [8, MAX_DEPTH]
-// prediction     A(x, y)
+// prediction     A(x, y) of the block whose last part came before
 // sample         sample(x, y), in [lo, hi]
 //
-// Latency 3 clocks with advance, one block a clock, also where each is the parent of the next. With a = sign * ref,
+// Latency 3 clocks with advance, one part a clock, also where each is the parent of the next. With a = sign * ref,
 // or 0 without motion, and r = residual, or 0 without one,
 //
 //   clamp(clamp(P + a, lo, hi) + r, lo, hi) = clamp(P + t, L, H)
@@ -32,6 +33,7 @@
 // `sample`.
 module hmlfc_reconstruct #(
     parameter int BLOCK_LOG2 = 2,
+    parameter int ROWS = 1 << BLOCK_LOG2,
     parameter int MAX_DEPTH = 8
 ) (
     input logic clk,
@@ -39,8 +41,8 @@ module hmlfc_reconstruct #(
     input logic valid,
     input logic chained,
     input logic key,
-    input logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+2)-1:0] references,
-    input logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+2)-1:0] residual,
+    input logic [(ROWS<<BLOCK_LOG2)*(MAX_DEPTH+2)-1:0] references,
+    input logic [(ROWS<<BLOCK_LOG2)*(MAX_DEPTH+2)-1:0] residual,
     input logic motion,
     input logic negative,
     input logic keyed,
@@ -50,8 +52,10 @@ module hmlfc_reconstruct #(
     output logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+1)-1:0] prediction,
     output logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+1)-1:0] sample
 );
-  localparam integer SAMPLES = 1 << (2 * BLOCK_LOG2);
+  localparam integer SAMPLES = ROWS << BLOCK_LOG2;
   localparam integer SAMPLE_BITS = MAX_DEPTH + 1;
+  localparam integer PART_BITS = SAMPLES * SAMPLE_BITS;
+  localparam integer BLOCK_BITS = SAMPLE_BITS << (2 * BLOCK_LOG2);
   localparam integer RESIDUAL_BITS = MAX_DEPTH + 2;
   localparam integer SUM_BITS = MAX_DEPTH + 3;  // of a + r, L - t, H - t, and P less these
 
@@ -72,15 +76,19 @@ module hmlfc_reconstruct #(
     end
   end
 
-  // P of the block that is in its third clock: the sample before, or 0 where it is not chained to it.
-  logic                           begins;
-  logic [SAMPLES*SAMPLE_BITS-1:0] parent, after;
+  // P of the part that is in its third clock: the same part of the block before, or 0 where it is not chained to it.
+  // `sample` moves up by a part with each: the oldest part is below.
+  logic                  begins;
+  logic [PART_BITS-1:0]  parent, after, predicted;
+  logic [BLOCK_BITS-1:0] moved_up;
   assign begins = valid_1 && !chained_1;
+  assign moved_up = BLOCK_BITS'({after, sample} >> PART_BITS);
   always_ff @(posedge clk) begin
     if (advance) begin
-      if (begins) parent <= {(SAMPLES * SAMPLE_BITS) {1'b0}};
-      else if (valid_2) parent <= after;
-      if (valid_2) sample <= after;
+      if (begins) parent <= {PART_BITS{1'b0}};
+      else if (valid_2) parent <= moved_up[PART_BITS-1:0];
+      else if (PART_BITS < BLOCK_BITS) parent <= sample[PART_BITS-1:0];
+      if (valid_2) sample <= moved_up;
     end
   end
 
@@ -134,8 +142,8 @@ module hmlfc_reconstruct #(
       assign a_sum = SUM_BITS'(p_3) + SUM_BITS'(a_3);
       assign a_over_lo = SUM_BITS'(p_3) - a_below;
       assign a_over_hi = a_above - SUM_BITS'(p_3);
-      assign prediction[i*SAMPLE_BITS +: SAMPLE_BITS] = a_over_lo[SUM_BITS-1] ? lo_3
-                                                      : a_over_hi[SUM_BITS-1] ? hi_3 : a_sum[SAMPLE_BITS-1:0];
+      assign predicted[i*SAMPLE_BITS +: SAMPLE_BITS] = a_over_lo[SUM_BITS-1] ? lo_3
+                                                     : a_over_hi[SUM_BITS-1] ? hi_3 : a_sum[SAMPLE_BITS-1:0];
       always_ff @(posedge clk) begin
         if (advance) begin
           a_1 <= minus ? -references[i*RESIDUAL_BITS +: RESIDUAL_BITS] : moved;
@@ -148,6 +156,14 @@ module hmlfc_reconstruct #(
           end
         end
       end
+    end
+
+    if (PART_BITS == BLOCK_BITS) begin : gen_block
+      assign prediction = predicted;
+    end else begin : gen_parts
+      logic [BLOCK_BITS-PART_BITS-1:0] earlier;
+      assign prediction = {predicted, earlier};
+      always_ff @(posedge clk) if (advance && valid_2) earlier <= prediction[BLOCK_BITS-1:PART_BITS];
     end
   endgenerate
 endmodule

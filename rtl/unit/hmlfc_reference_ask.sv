@@ -6,11 +6,12 @@
 //
 // K0 comes through cache A, K1 to K3 through cache B; both windows of reference set 5 come through B, the first one
 // first. A block of a key image asks A for its own samples. With one cache it is B, for all. Blocks with an error ask
-// for none. Latency 7 clocks.
+// for none. Latency 7 clocks, or with one unit for both vectors 4 times 2.
 module hmlfc_reference_ask #(
     parameter int BLOCK_LOG2 = 2,
     parameter int RESIDUAL_BITS = 160,
     parameter int CACHES = 2,  // 1, 2
+    parameter int UNITS = 2,  // for vectors: 1, which takes 2 clocks for a block, or 2
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SLOT_BITS = 1 + ADDRESS_BITS + 2 + 11 + 15 + 15 + 17 + 17 + 2
 ) (
@@ -77,8 +78,10 @@ module hmlfc_reference_ask #(
   wire [1:0] k_own = motion ? k_first : 2'd0;  // a key image's own samples are those of K0
 
   localparam int CARRY_BITS = hmlfc_pkg::JOB_BITS + 5 + 1 + RESIDUAL_BITS;
-  localparam int STAGES = 7;
-  logic advance;
+  localparam int STAGES = UNITS == 2 ? 7 : 4;
+  logic advance, turn;
+  wire last_turn = UNITS == 2 || turn;
+  wire step = !last_turn || advance;
   logic [STAGES:1] valid;
   logic [27:0] steps_a, steps_b;
   logic [12:0] disparity;
@@ -121,62 +124,46 @@ module hmlfc_reference_ask #(
     end
   end
 
-  // Stages 2 to 7: vectors.
+  // From stage 2 on: vectors, {fy, fx, iy, ix} of the first and the second. With one unit the first comes a clock
+  // before the second, and is kept.
+  localparam int VECTOR_BITS = 24;
   logic [8:0] ix_a, iy_a, ix_b, iy_b;
   logic [2:0] fx_a, fy_a, fx_b, fy_b;
-  hmlfc_vector vector_a (
-      .clk,
-      .advance,
-      .disparity,
-      .coefficient_x(steps_a[27:18]),
-      .coefficient_y(steps_a[17:0]),
-      .vector_precision(stream.vector_precision),
-      .disparity_precision(stream.disparity_precision),
-      .window(stream.window),
-      .explicit_mode,
-      .explicit_x,
-      .explicit_y,
-      .halve,
-      .ix(ix_a),
-      .iy(iy_a),
-      .fx(fx_a),
-      .fy(fy_a)
-  );
-  hmlfc_vector vector_b (
-      .clk,
-      .advance,
-      .disparity,
-      .coefficient_x(steps_b[27:18]),
-      .coefficient_y(steps_b[17:0]),
-      .vector_precision(stream.vector_precision),
-      .disparity_precision(stream.disparity_precision),
-      .window(stream.window),
-      .explicit_mode,
-      .explicit_x,
-      .explicit_y,
-      .halve,
-      .ix(ix_b),
-      .iy(iy_b),
-      .fx(fx_b),
-      .fy(fy_b)
-  );
+  logic [UNITS*VECTOR_BITS-1:0] vectors;
+  logic [VECTOR_BITS-1:0] first_vector;
+  for (genvar u = 0; u < UNITS; u++) begin : g_vector
+    wire [27:0] coefficients = (UNITS == 2 ? u == 1 : turn) ? steps_b : steps_a;
+    hmlfc_vector vector (
+        .clk, .advance(step), .disparity, .coefficient_x(coefficients[27:18]), .coefficient_y(coefficients[17:0]),
+        .vector_precision(stream.vector_precision), .disparity_precision(stream.disparity_precision),
+        .window(stream.window), .explicit_mode, .explicit_x, .explicit_y, .halve, .ix(vectors[u*VECTOR_BITS+:9]),
+        .iy(vectors[u*VECTOR_BITS+9+:9]), .fx(vectors[u*VECTOR_BITS+18+:3]), .fy(vectors[u*VECTOR_BITS+21+:3])
+    );
+  end
+  if (UNITS == 2) begin : g_together
+    assign first_vector = vectors[VECTOR_BITS-1:0];
+  end else begin : g_in_turn
+    always_ff @(posedge clk) if (!turn) first_vector <= vectors;
+  end
+  assign {fy_a, fx_a, iy_a, ix_a} = first_vector;
+  assign {fy_b, fx_b, iy_b, ix_b} = vectors[UNITS*VECTOR_BITS-1-:VECTOR_BITS];
 
   // What comes out: the block is given on when both caches have taken their windows.
   hmlfc_pkg::job_t job;
-  logic key_7, base_zero_7, motion_7, negative_7, two_7, has_residual_7;
+  logic key_out, base_zero_out, motion_out, negative_out, two_out, has_residual_out;
   logic [ADDRESS_BITS-1:0] address_a, address_b;
-  assign {job, key_7, base_zero_7, motion_7, negative_7, two_7, has_residual_7, out_residual} =
+  assign {job, key_out, base_zero_out, motion_out, negative_out, two_out, has_residual_out, out_residual} =
       carries[(STAGES-1)*CARRY_BITS+:CARRY_BITS];
   assign {address_a, address_b} = planes[(STAGES-2)*2*ADDRESS_BITS+:2*ADDRESS_BITS];
   always_comb begin
     out_pending.job = job;
-    out_pending.key = key_7;
-    out_pending.base_zero = base_zero_7;
-    out_pending.motion = motion_7;
-    out_pending.negative = negative_7;
-    out_pending.two = two_7;
+    out_pending.key = key_out;
+    out_pending.base_zero = base_zero_out;
+    out_pending.motion = motion_out;
+    out_pending.negative = negative_out;
+    out_pending.two = two_out;
     out_pending.first_from_b = first_from_b[STAGES];
-    out_pending.has_residual = has_residual_7;
+    out_pending.has_residual = has_residual_out;
     {out_pending.ix_a, out_pending.iy_a, out_pending.fx_a, out_pending.fy_a} = {ix_a, iy_a, fx_a, fy_a};
     {out_pending.ix_b, out_pending.iy_b, out_pending.fx_b, out_pending.fy_b} = {ix_b, iy_b, fx_b, fy_b};
   end
@@ -196,27 +183,29 @@ module hmlfc_reference_ask #(
 
   // Windows to request: first and second, each once.
   logic first_taken, second_taken;
-  wire first_needed = key_7 || motion_7;
+  wire first_needed = key_out || motion_out;
   wire first_done = !first_needed || first_taken;
-  wire second_done = !two_7 || second_taken;
-  assign a_valid = valid[STAGES] && !first_done && !first_from_b[STAGES];
+  wire second_done = !two_out || second_taken;
+  wire ready = valid[STAGES] && last_turn;
+  assign a_valid = ready && !first_done && !first_from_b[STAGES];
   assign a_window = window_a;
-  assign b_valid = valid[STAGES] && (first_from_b[STAGES] && !first_done || !second_done);
+  assign b_valid = ready && (first_from_b[STAGES] && !first_done || !second_done);
   assign b_window = first_from_b[STAGES] && !first_done ? window_a : window_b;
   wire a_takes = a_valid && a_ready;
   wire b_takes = b_valid && b_ready;
   wire first_now = first_done || a_takes || (b_takes && first_from_b[STAGES]);
   wire second_now = second_done || (b_takes && !(first_from_b[STAGES] && !first_done));
-  assign out_valid = valid[STAGES] && first_now && second_now;
-  assign advance = !valid[STAGES] || (out_valid && out_ready);
+  assign out_valid = ready && first_now && second_now;
+  assign advance = last_turn && (!valid[STAGES] || (out_valid && out_ready));
   always_ff @(posedge clk) begin
     if (!rst_n || advance) begin
       first_taken <= 1'b0;
       second_taken <= 1'b0;
-    end else if (valid[STAGES]) begin
+    end else if (ready) begin
       if (first_needed) first_taken <= first_now;
-      if (two_7) second_taken <= second_now;
+      if (two_out) second_taken <= second_now;
     end
+    turn <= rst_n && !(last_turn && advance);
   end
 
 endmodule

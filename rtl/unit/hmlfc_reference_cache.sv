@@ -18,9 +18,11 @@ module hmlfc_reference_cache #(
     parameter int SECTIONS = 1,  // 1, 2
     parameter int FILLS = 32,  // strips in flight, a power of two
     parameter int STRIP_READ = 32,  // bytes of a strip that are read at once: 32, 64
+    parameter int CLOCKS = 1,  // of a window, which comes in parts as hmlfc_reference_lines says
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS,
     localparam int SIDE = (1 << BLOCK_LOG2) + 1,
+    localparam int ROWS = (1 << BLOCK_LOG2) / CLOCKS + 1,  // of a part
     localparam int SELECT_BITS = BLOCK_LOG2 + 1
 ) (
     input logic clk,
@@ -43,7 +45,7 @@ module hmlfc_reference_cache #(
     output logic out_valid,
     input logic out_ready,
     output logic [5:0] out_error,
-    output logic [SIDE*SIDE*SAMPLE_BITS-1:0] out_window,
+    output logic [ROWS*SIDE*SAMPLE_BITS-1:0] out_window,
 
     output hmlfc_pkg::read_request_t request,
     input hmlfc_pkg::read_response_t response,
@@ -101,19 +103,25 @@ module hmlfc_reference_cache #(
   logic [2:0] filled;
   logic lines_ready;
   wire complete = filled == op_missed;
-  assign take = op_valid && !complete && strip_valid;
+  localparam bit HALVES = BLOCK_LOG2 < 3;  // a strip of more lines than one is written by halves
+  logic half;
+  wire write = op_valid && !complete && strip_valid;
+  assign take = write && half == HALVES;
   assign op_ready = complete && lines_ready;
   always_ff @(posedge clk) begin
     if (!rst_n || (op_valid && op_ready)) filled <= '0;
     else if (take) filled <= filled + 3'd1;
+    half <= rst_n && HALVES && write && !half;
   end
 
   // ---- Samples. A strip that a bus error spoiled is not kept, whichever error its block is answered with.
-  hmlfc_reference_lines #(.BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(SAMPLE_BITS), .PLACE_BITS(PLACE_BITS)) lines (
-      .clk, .rst_n, .write(take), .write_place(strip_place), .write_lines(strip_lines), .in_valid(op_valid && complete),
-      .in_ready(lines_ready), .in_block_x(op_x), .in_block_y(op_y), .in_two_x(op_two_x), .in_two_y(op_two_y),
-      .in_select_x(op_select_x), .in_select_y(op_select_y), .in_places(op_places), .out_valid, .out_ready, .out_error,
-      .out_window, .spoiled(forget)
+  hmlfc_reference_lines #(
+      .BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(SAMPLE_BITS), .PLACE_BITS(PLACE_BITS), .CLOCKS(CLOCKS)
+  ) lines (
+      .clk, .rst_n, .write, .write_half(half), .write_place(strip_place), .write_lines(strip_lines),
+      .in_valid(op_valid && complete), .in_ready(lines_ready), .in_block_x(op_x), .in_block_y(op_y),
+      .in_two_x(op_two_x), .in_two_y(op_two_y), .in_select_x(op_select_x), .in_select_y(op_select_y),
+      .in_places(op_places), .out_valid, .out_ready, .out_error, .out_window, .spoiled(forget)
   );
 
 endmodule

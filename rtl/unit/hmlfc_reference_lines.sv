@@ -2,25 +2,30 @@
 `include "hmlfc_tables.svh"
 `default_nettype none
 
-// Keeps the lines of strips and gives the samples of windows from them, one window a clock, in order.
+// Keeps the lines of strips and gives the samples of windows from them, one window in CLOCKS clocks, in order.
 //
 // BLOCK_LOG2    [1, 3], B = 2^BLOCK_LOG2; a line is one block, a strip 64 samples, so 64 / B^2 lines
 // PLACE_BITS    2^PLACE_BITS strips in each of four banks by the parity of a strip's row and column
+// CLOCKS        [1, B], a power of two: a window comes in so many parts of B / CLOCKS + 1 rows; the last row of a part
+//               is the first of the next
 //
-// write              strip `write_place` = {bank, place in it} becomes `write_lines`, each {error, samples}
-// in_*               a window as hmlfc_reference_window describes it, and the places of its strips in the four banks
-// out_window         sample (i, j) of the window at bits SAMPLE_BITS * (j * (B + 1) + i) on
+// write              a half of strip `write_place` = {bank, place in it}, the first or with `write_half` the second,
+//                    becomes that of `write_lines`, each {error, samples}; with one line in a strip that
+// in_*               a window: its samples (i, j) lie in column select_x[i], row select_y[j] of blocks from (block_x,
+//                    block_y) on, two_x and two_y beside it; and the places of its strips in the four banks
+// out_window         sample (i, j) of the part at bits SAMPLE_BITS * (j * (B + 1) + i) on
 // out_error          the first of the blocks that the window touches, row by row (DEC-7)
 // spoiled            for a clock: a window met bus_error in one of its blocks
 //
-// Lines lie in banks by the parity of the row and by their place in the strip, so that a strip is written in one clock
-// and a window, which touches at most 2 x 2 blocks, is read in one. Latency 3 clocks.
+// A window touches at most 2 x 2 blocks, which lie in four memories and are read in one clock. Latency 3 clocks.
 module hmlfc_reference_lines #(
     parameter int BLOCK_LOG2 = 2,
     parameter int SAMPLE_BITS = 10,
     parameter int PLACE_BITS = 7,
+    parameter int CLOCKS = 1,
     localparam int BLOCK_BITS = hmlfc_pkg::BLOCK_BITS,
     localparam int B = 1 << BLOCK_LOG2,
+    localparam int ROWS = B / CLOCKS,
     localparam int SIDE = B + 1,
     localparam int SELECT_BITS = BLOCK_LOG2 + 1,
     localparam int SAMPLES = B * B,
@@ -31,6 +36,7 @@ module hmlfc_reference_lines #(
     input logic rst_n,
 
     input logic write,
+    input logic write_half,
     input logic [PLACE_BITS+1:0] write_place,
     input logic [LINES*LINE_BITS-1:0] write_lines,
 
@@ -47,58 +53,56 @@ module hmlfc_reference_lines #(
     output logic out_valid,
     input logic out_ready,
     output logic [5:0] out_error,
-    output logic [SIDE*SIDE*SAMPLE_BITS-1:0] out_window,
+    output logic [(ROWS+1)*SIDE*SAMPLE_BITS-1:0] out_window,
     output logic spoiled
 );
 
-  // Banks: {parity of the row, line of the strip}, or with one line {row, strip} parity.
+  // Memories: of the parity of the row and of the line of the strip, where a strip's second half of lines lies above
+  // the first; or with one line of the parities of row and strip.
   localparam int LINES_LOG2 = $clog2(LINES);
   localparam int COLUMNS = LINES > 1 ? LINES : 2;
   localparam int COLUMN_BITS = $clog2(COLUMNS);
-  localparam int LINE_PLACE_BITS = LINES > 1 ? PLACE_BITS + 1 : PLACE_BITS;
+  localparam int MEMORIES = LINES > 1 ? LINES / 2 : 2;  // of a row
+  localparam int LINE_PLACE_BITS = LINES > 1 ? PLACE_BITS + 2 : PLACE_BITS;
+  localparam int PART_BITS = $clog2(CLOCKS) > 0 ? $clog2(CLOCKS) : 1;
 
   logic [3:1] valid;
-  wire advance = !valid[3] || out_ready;
+  logic [PART_BITS-1:0] part;
+  wire step = !valid[3] || out_ready;
+  wire advance = step && (CLOCKS == 1 || !valid[2] || part == PART_BITS'(CLOCKS - 1));
   assign in_ready = advance;
   assign out_valid = valid[3];
   wire [COLUMN_BITS-1:0] left_column = in_block_x[COLUMN_BITS-1:0];
   wire left_parity = in_block_x[LINES_LOG2];
 
-  // 1: lines of both rows in all columns.
-  logic [2*COLUMNS*LINE_BITS-1:0] lines_1;
+  // 1: lines of both rows from all memories: of the left block and, from another memory, of the right one.
+  logic [2*MEMORIES*LINE_BITS-1:0] lines_1;
   for (genvar r = 0; r < 2; r++) begin : g_row
     wire [PLACE_BITS-1:0] even = in_places[(2*r)*PLACE_BITS+:PLACE_BITS];
     wire [PLACE_BITS-1:0] odd = in_places[(2*r+1)*PLACE_BITS+:PLACE_BITS];
-    for (genvar c = 0; c < COLUMNS; c++) begin : g_column
+    for (genvar m = 0; m < MEMORIES; m++) begin : g_memory
       logic [LINE_PLACE_BITS-1:0] write_at, read_at;
+      logic [LINE_BITS-1:0] line;
       logic write_here;
-      // The right block is in the next strip where its column is less than the left one's.
-      logic parity;
       if (LINES > 1) begin : g_lines
+        wire [COLUMN_BITS-1:0] right_column = left_column + 1'b1;
+        wire left = (left_column ^ COLUMN_BITS'(m)) << 1 == '0;  // but for the half
+        wire half = left ? left_column[COLUMN_BITS-1] : right_column[COLUMN_BITS-1];
+        wire parity = left_parity ^ (!left && right_column == '0);
         assign write_here = write && write_place[PLACE_BITS+1] == 1'(r);
-        assign write_at = write_place[PLACE_BITS:0];
-        /* verilator lint_off CMPCONST */  // always for the last column
-        assign parity = COLUMN_BITS'(c) >= left_column ? left_parity : !left_parity;
-        /* verilator lint_on CMPCONST */
-        assign read_at = {parity, parity ? odd : even};
+        assign write_at = {write_half, write_place[PLACE_BITS:0]};
+        assign line = write_half ? write_lines[(MEMORIES+m)*LINE_BITS+:LINE_BITS] : write_lines[m*LINE_BITS+:LINE_BITS];
+        assign read_at = {half, parity, parity ? odd : even};
       end else begin : g_line
-        assign write_here = write && write_place[PLACE_BITS+1:PLACE_BITS] == {1'(r), 1'(c)};
+        assign write_here = write && !write_half && write_place[PLACE_BITS+1:PLACE_BITS] == {1'(r), 1'(m)};
         assign write_at = write_place[PLACE_BITS-1:0];
-        assign parity = 1'(c);
-        assign read_at = parity ? odd : even;
+        assign line = write_lines;
+        assign read_at = m == 1 ? odd : even;
       end
       // No line of a window is read in the clock in which it is written.
-      hmlfc_ram #(
-          .WIDTH(LINE_BITS),
-          .DEPTH(1 << LINE_PLACE_BITS)
-      ) memory (
-          .clk,
-          .write(write_here),
-          .write_address(write_at),
-          .write_data(write_lines[(LINES>1?c : 0)*LINE_BITS+:LINE_BITS]),
-          .read(advance),
-          .read_address(read_at),
-          .read_data(lines_1[(r*COLUMNS+c)*LINE_BITS+:LINE_BITS])
+      hmlfc_ram #(.WIDTH(LINE_BITS), .DEPTH(1 << LINE_PLACE_BITS)) memory (
+          .clk, .write(write_here), .write_address(write_at), .write_data(line), .read(advance), .read_address(read_at),
+          .read_data(lines_1[(r*MEMORIES+m)*LINE_BITS+:LINE_BITS])
       );
     end
   end
@@ -113,10 +117,9 @@ module hmlfc_reference_lines #(
   always_comb begin
     blocks_next = '0;
     for (int b = 0; b < 4; b++) begin
-      for (int c = b % 2; c < COLUMNS; c += 2) begin
-        blocks_next[b*LINE_BITS+:LINE_BITS] = blocks_next[b*LINE_BITS+:LINE_BITS] |
-            (lines_1[((b/2)*COLUMNS+c)*LINE_BITS+:LINE_BITS] &
-             {LINE_BITS{columns[(b%2)*COLUMN_BITS+:COLUMN_BITS] == COLUMN_BITS'(c)}});
+      for (int m = b % 2; m < MEMORIES; m += 2) begin
+        if (((columns[(b%2)*COLUMN_BITS+:COLUMN_BITS] ^ COLUMN_BITS'(m)) & COLUMN_BITS'(MEMORIES - 1)) == '0)
+          blocks_next[b*LINE_BITS+:LINE_BITS] = lines_1[((b/2)*MEMORIES+m)*LINE_BITS+:LINE_BITS];
       end
     end
   end
@@ -127,13 +130,18 @@ module hmlfc_reference_lines #(
   wire [SELECT_BITS-1:0] odd_x = SELECT_BITS'(first_2[0]) << BLOCK_LOG2;
   wire [SELECT_BITS-1:0] odd_y = SELECT_BITS'(first_2[1]) << BLOCK_LOG2;
   logic [B-1:0] upper_x_2, upper_y_2;
+  logic [(ROWS+1)*SELECT_BITS-1:0] select_rows;  // those of the part
   logic [2*B*B*SAMPLE_BITS-1:0] shared_rows;
-  logic [SIDE*B*SAMPLE_BITS-1:0] shared_columns;
-  logic [SIDE*2*B*SAMPLE_BITS-1:0] rows;
-  logic [SIDE*SIDE*SAMPLE_BITS-1:0] window;
+  logic [(ROWS+1)*B*SAMPLE_BITS-1:0] shared_columns;
+  logic [(ROWS+1)*2*B*SAMPLE_BITS-1:0] rows;
+  logic [(ROWS+1)*SIDE*SAMPLE_BITS-1:0] window;
   always_comb begin
     rows = '0;
     window = '0;
+    select_rows = '0;
+    for (int i = 0; i < CLOCKS; i++) begin
+      if (CLOCKS == 1 || part == PART_BITS'(i)) select_rows = select_y_2[i*ROWS*SELECT_BITS+:(ROWS+1)*SELECT_BITS];
+    end
     for (int k = 0; k < B; k++) begin
       for (int x = 0; x < 2 * B; x++) begin
         shared_rows[(k*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] = upper_y_2[k] ^ first_2[1] ?
@@ -141,21 +149,21 @@ module hmlfc_reference_lines #(
             blocks_2[(2+x/B)*LINE_BITS+(k*B+x%B)*SAMPLE_BITS+:SAMPLE_BITS];
       end
     end
-    for (int j = 0; j < B; j++) begin
+    for (int j = 0; j < ROWS; j++) begin
       for (int k = 0; k < B; k++) begin
         rows[j*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] = rows[j*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] |
             (shared_rows[k*2*B*SAMPLE_BITS+:2*B*SAMPLE_BITS] &
-             {2*B*SAMPLE_BITS{(select_y_2[j*SELECT_BITS+:SELECT_BITS] & IN_BLOCK) == SELECT_BITS'(k)}});
+             {2*B*SAMPLE_BITS{(select_rows[j*SELECT_BITS+:SELECT_BITS] & IN_BLOCK) == SELECT_BITS'(k)}});
       end
     end
     for (int y = 0; y < 2 * B; y++) begin
       for (int x = 0; x < 2 * B; x++) begin
-        rows[(B*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] = rows[(B*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] |
+        rows[(ROWS*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] = rows[(ROWS*2*B+x)*SAMPLE_BITS+:SAMPLE_BITS] |
             (blocks_2[((y/B)*2+(x/B))*LINE_BITS+((y%B)*B+x%B)*SAMPLE_BITS+:SAMPLE_BITS] &
-             {SAMPLE_BITS{(select_y_2[B*SELECT_BITS+:SELECT_BITS] ^ odd_y) == SELECT_BITS'(y)}});
+             {SAMPLE_BITS{(select_rows[ROWS*SELECT_BITS+:SELECT_BITS] ^ odd_y) == SELECT_BITS'(y)}});
       end
     end
-    for (int j = 0; j < SIDE; j++) begin
+    for (int j = 0; j <= ROWS; j++) begin
       for (int k = 0; k < B; k++) begin
         shared_columns[(j*B+k)*SAMPLE_BITS+:SAMPLE_BITS] = upper_x_2[k] ^ first_2[0] ?
             rows[(j*2*B+k)*SAMPLE_BITS+:SAMPLE_BITS] : rows[(j*2*B+B+k)*SAMPLE_BITS+:SAMPLE_BITS];
@@ -192,7 +200,7 @@ module hmlfc_reference_lines #(
 
   always_ff @(posedge clk) begin
     if (advance) begin
-      valid <= {valid[2:1], in_valid};
+      valid[2:1] <= {valid[1], in_valid};
       column_1 <= left_column;
       row_1 <= in_block_y[0];
       {two_x_1, two_y_1, select_x_1, select_y_1} <= {in_two_x, in_two_y, in_select_x, in_select_y};
@@ -203,9 +211,14 @@ module hmlfc_reference_lines #(
         upper_y_2[k] <= SELECT_BITS'(k) >= (select_y_1[SELECT_BITS-1:0] & IN_BLOCK);
       end
       blocks_2 <= blocks_next;
+    end
+    if (step) begin
+      valid[3] <= valid[2];
       out_error <= error;
       out_window <= window;
     end
+    if (!rst_n || advance) part <= '0;
+    else if (step) part <= part + 1'b1;
     if (!rst_n) valid <= '0;
   end
 

@@ -81,23 +81,11 @@ module hmlfc_reference_lookup #(
   logic [BLOCK_BITS-1:0] block_x, block_y;
   logic two_x, two_y;
   logic [SIDE*SELECT_BITS-1:0] select_x, select_y;
-  hmlfc_reference_window #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) blocks (
-      .clk,
-      .advance,
-      .x(in_x),
-      .y(in_y),
-      .extra_x(in_extra_x),
-      .extra_y(in_extra_y),
-      .width(in_width),
-      .height(in_height),
-      .block_x,
-      .block_y,
-      .two_x,
-      .two_y,
-      .select_x,
-      .select_y
+  hmlfc_window_axis #(.BLOCK_LOG2(BLOCK_LOG2)) columns (
+      .clk, .advance, .at(in_x), .size(in_width), .extra(in_extra_x), .block(block_x), .two(two_x), .select(select_x)
+  );
+  hmlfc_window_axis #(.BLOCK_LOG2(BLOCK_LOG2)) rows (
+      .clk, .advance, .at(in_y), .size(in_height), .extra(in_extra_y), .block(block_y), .two(two_y), .select(select_y)
   );
   localparam int SIDE_INFO_BITS = TAG_BITS + 2 + 1 + 11;
   logic [2*SIDE_INFO_BITS-1:0] infos;

@@ -18,12 +18,13 @@ module hmlfc_references #(
     parameter int CACHE_STRIPS = 512,  // of cache A; B has twice as many
     parameter int FILLS = 32,  // strips in flight of each, a power of two
     parameter int STRIP_READ = 32,  // bytes of a strip that are read at once
+    parameter int CLOCKS = 1,  // of a window
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS,
     localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS,
     localparam int VALUE_BITS = MAX_DEPTH + 2,
     localparam int RESIDUAL_BITS = VALUE_BITS << (2 * BLOCK_LOG2),
-    localparam int WINDOW_BITS = ((1 << BLOCK_LOG2) + 1) * ((1 << BLOCK_LOG2) + 1) * VALUE_BITS
+    localparam int WINDOW_BITS = ((1 << BLOCK_LOG2) / CLOCKS + 1) * ((1 << BLOCK_LOG2) + 1) * VALUE_BITS
 ) (
     input logic clk,
     input logic rst_n,
@@ -61,7 +62,8 @@ module hmlfc_references #(
   logic pending_valid, pending_ready;
   hmlfc_pkg::pending_t pending;
   logic [RESIDUAL_BITS-1:0] pending_residual;
-  hmlfc_reference_ask #(.BLOCK_LOG2(BLOCK_LOG2), .RESIDUAL_BITS(RESIDUAL_BITS), .CACHES(CACHES)) reference_ask (
+  hmlfc_reference_ask #(.BLOCK_LOG2(BLOCK_LOG2), .RESIDUAL_BITS(RESIDUAL_BITS), .CACHES(CACHES),
+      .UNITS(CLOCKS > 1 ? 1 : 2)) reference_ask (
       .clk, .rst_n, .stream, .image(in_image), .in_flow, .in_valid, .in_ready, .in_has_residual, .in_residual,
       .a_valid(asked_valid[0]), .a_ready(asked_ready[0]), .a_window(asked[0+:SLOT_BITS]), .b_valid(asked_valid[1]),
       .b_ready(asked_ready[1]), .b_window(asked[SLOT_BITS+:SLOT_BITS]), .out_valid(pending_valid),
@@ -81,7 +83,7 @@ module hmlfc_references #(
     );
     hmlfc_reference_cache #(
         .BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(VALUE_BITS), .DATA_BITS(DATA_BITS), .STRIPS((c + 1) * CACHE_STRIPS),
-        .SECTIONS(c + 1), .FILLS(FILLS), .STRIP_READ(STRIP_READ)
+        .SECTIONS(c + 1), .FILLS(FILLS), .STRIP_READ(STRIP_READ), .CLOCKS(CLOCKS)
     ) cache (
         .clk, .rst_n, .flush, .in_valid(slot_valid), .in_ready(slot_ready), .in_address(slot[79+:ADDRESS_BITS]),
         .in_plane(slot[77+:2]), .in_section(slot[ADDRESS_BITS+79]), .in_strips_x(slot[66+:11]), .in_width(slot[51+:15]),

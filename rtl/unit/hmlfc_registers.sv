@@ -72,7 +72,8 @@ module hmlfc_registers #(
   // Write channel: address and data are accepted one by one, and used when both have arrived.
   logic        address_held, data_held, write;
   logic [9:0]  write_word;
-  logic [31:0] write_data, write_mask;
+  logic [31:0] write_data;
+  logic [3:0]  write_bytes;
 
   assign s_axil_awready = !address_held;
   assign s_axil_wready = !data_held;
@@ -83,8 +84,7 @@ module hmlfc_registers #(
     if (s_axil_awready) write_word <= s_axil_awaddr[11:2];
     if (s_axil_wready) begin
       write_data <= s_axil_wdata;
-      write_mask <= {{8{s_axil_wstrb[3]}}, {8{s_axil_wstrb[2]}},
-                     {8{s_axil_wstrb[1]}}, {8{s_axil_wstrb[0]}}};
+      write_bytes <= s_axil_wstrb;
     end
     if (!rst_n) begin
       address_held <= 1'b0;
@@ -103,8 +103,9 @@ module hmlfc_registers #(
   end
 
   // Registers that are written.
-  logic [31:0] control;
+  logic [31:0] write_mask, control;
   logic clear;
+  assign write_mask = {{8{write_bytes[3]}}, {8{write_bytes[2]}}, {8{write_bytes[1]}}, {8{write_bytes[0]}}};
   assign control = write && write_word == HMLFC_WORD_CONTROL ? write_data & write_mask : 32'd0;
 
   // Three pairs: their words, the low one first, and which of their bits are kept.
@@ -123,12 +124,10 @@ module hmlfc_registers #(
     load <= control[HMLFC_REG_CONTROL_LOAD_SHIFT] && rst_n;
     clear <= control[HMLFC_REG_CONTROL_CLEAR_SHIFT] && rst_n;
     disable_unit <= control[HMLFC_REG_CONTROL_DISABLE_SHIFT] && rst_n;
-    for (int k = 0; k < 6; k = k + 1) begin
-      if (!rst_n) settings[32*k +: 32] <= 32'd0;
-      else if (write && write_word == SETTING_WORDS[10*k +: 10]) begin
-        settings[32*k +: 32] <=
-            ((settings[32*k +: 32] & ~write_mask) | (write_data & write_mask)) & SETTING_MASKS[32*k +: 32];
-      end
+    for (int k = 0; k < 24; k = k + 1) begin
+      if (!rst_n) settings[8*k +: 8] <= 8'd0;
+      else if (write && write_word == SETTING_WORDS[10*(k/4) +: 10] && write_bytes[k%4])
+        settings[8*k +: 8] <= write_data[8*(k%4) +: 8] & SETTING_MASKS[8*k +: 8];
     end
   end
 

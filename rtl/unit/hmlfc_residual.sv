@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The residuals of a block from its BISE values (TIL-10, STP-3).
+// The residuals of a block, or of some of its rows, from its BISE values (TIL-10, STP-3).
 //
 // BLOCK_LOG2   [1, 3], B = 2^BLOCK_LOG2
+// ROWS         [1, B], of the block in a clock
 // MAX_DEPTH    [8, 12]; values and residuals have MAX_DEPTH + 2 bits, position (x, y) is number
 //              y * B + x
 //
@@ -13,7 +14,7 @@
 // depth        [8, MAX_DEPTH]
 // residuals    in [-M, M], in two's complement
 //
-// Latency 4 clocks with advance, one block a clock: what all positions share; centred; once or three times; shifted and
+// Latency 4 clocks with advance, ROWS rows a clock: what all positions share; centred; once or three times; shifted and
 // clamped.
 //
 // The step is m * 2^k with m = 1 or 3 (STP-2), and at least 1, so a number outside [-M, M] stays outside when it is
@@ -24,19 +25,20 @@
 
 module hmlfc_residual #(
     parameter int BLOCK_LOG2 = 2,
+    parameter int ROWS = 1 << BLOCK_LOG2,
     parameter int MAX_DEPTH = 8
 ) (
     input logic clk,
     input logic advance,
-    input logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+2)-1:0] values,
+    input logic [(ROWS<<BLOCK_LOG2)*(MAX_DEPTH+2)-1:0] values,
     input logic [5:0] level_code,
     input logic [MAX_DEPTH+1:0] bias,
     input logic [3:0] step_code,
     input logic chroma,
     input logic [3:0] depth,
-    output logic [(1<<(2*BLOCK_LOG2))*(MAX_DEPTH+2)-1:0] residuals
+    output logic [(ROWS<<BLOCK_LOG2)*(MAX_DEPTH+2)-1:0] residuals
 );
-  localparam integer SAMPLES = 1 << (2 * BLOCK_LOG2);
+  localparam integer SAMPLES = ROWS << BLOCK_LOG2;
   localparam integer VALUE_BITS = MAX_DEPTH + 2;
   localparam integer SUM_BITS = MAX_DEPTH + 3;   // value - (N >> 1) + bias
   localparam integer ODD_BITS = MAX_DEPTH + 5;   // three times that

@@ -3,14 +3,16 @@
 `default_nettype none
 
 // Takes the residual and, in streams without motion tiles, the vector of each block from its tile
-// (TIL-5 to TIL-10), one block a clock.
+// (TIL-5 to TIL-10), one block in CLOCKS clocks.
 //
 // Waits at its input until the block's tile is loaded, gives the tile back (`release_*`) when its bits
 // have been read, and leaves with the block's residuals, 0 in states without. An error of an earlier
-// stage stays; else the first of the block's entry is set (MOT-10). Latency 12 clocks.
+// stage stays; else the first of the block's entry is set (MOT-10). Stages of CLOCKS clocks: in each but the last those
+// of `scale` go on, which takes the rows of a block one part a clock. 12 stages, with 2 clocks 10, with 4 clocks 9.
 module hmlfc_residual_blocks #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
+    parameter int CLOCKS = 1,  // 1, 2, 4
     parameter int CONTEXTS = 8,
     parameter int CONTEXT_WORDS = 256,
     parameter int WINDOW_BITS = 256,
@@ -58,7 +60,9 @@ module hmlfc_residual_blocks #(
     output logic [SAMPLES*VALUE_BITS-1:0] out_residual
 );
 
-  localparam int STAGES = 12;
+  localparam int STAGES = 8 + 4 / CLOCKS;
+  localparam int CLOCK_BITS = $clog2(CLOCKS) > 0 ? $clog2(CLOCKS) : 1;
+  localparam int PART_BITS = SAMPLES * VALUE_BITS / CLOCKS;
   localparam int BITS = SAMPLES * VALUE_BITS;  // of a block's values, at most
 
   function automatic logic [5:0] rank(input logic [63:0] mask, input logic [5:0] number);
@@ -70,7 +74,10 @@ module hmlfc_residual_blocks #(
   logic [STAGES:1] valid;
   logic [STAGES*FLOW_BITS-1:0] flows;
   logic [STAGES:2] has_residual;
-  wire advance = !valid[STAGES] || out_ready;
+  logic [CLOCK_BITS-1:0] part;
+  wire last = CLOCKS == 1 || part == CLOCK_BITS'(CLOCKS - 1);
+  wire advance = last && (!valid[STAGES] || out_ready);
+  wire step = !last || advance;  // of a part
   wire [CONTEXT_BITS-1:0] in_context = in_flow.residual_context[CONTEXT_BITS-1:0];
   assign in_ready = advance && (!in_flow.residual_asked || ready[in_context]);
 
@@ -81,17 +88,9 @@ module hmlfc_residual_blocks #(
   assign flow_1 = flows[0+:FLOW_BITS];
   wire [2:0] i = in_flow.job.bx[2:0];
   wire [2:0] j = in_flow.job.by[2:0];
-  hmlfc_ram #(
-      .WIDTH(6 + 128),
-      .DEPTH(CONTEXTS)
-  ) heads (
-      .clk,
-      .write(head_write),
-      .write_address(parsed_context),
-      .write_data({head_error, head_motion, head_residual}),
-      .read(advance),
-      .read_address(in_context),
-      .read_data({head_error_1, motion_mask_1, residual_mask_1})
+  hmlfc_ram #(.WIDTH(6 + 128), .DEPTH(CONTEXTS)) heads (
+      .clk, .write(head_write), .write_address(parsed_context), .write_data({head_error, head_motion, head_residual}),
+      .read(advance), .read_address(in_context), .read_data({head_error_1, motion_mask_1, residual_mask_1})
   );
 
   // Stage 2: masks to ranks; stage 3: entry and vector.
@@ -105,29 +104,13 @@ module hmlfc_residual_blocks #(
   assign flow_3 = flows[2*FLOW_BITS+:FLOW_BITS];
   wire [CONTEXT_BITS-1:0] context_2 = flow_2.residual_context[CONTEXT_BITS-1:0];
   wire [CONTEXT_BITS-1:0] context_3 = flow_3.residual_context[CONTEXT_BITS-1:0];
-  hmlfc_ram #(
-      .WIDTH(VECTOR_BITS),
-      .DEPTH(CONTEXTS * 64)
-  ) vectors (
-      .clk,
-      .write(vector_write),
-      .write_address({parsed_context, vector_number}),
-      .write_data(vector_data),
-      .read(advance),
-      .read_address({context_2, vector_2}),
-      .read_data(vector_3)
+  hmlfc_ram #(.WIDTH(VECTOR_BITS), .DEPTH(CONTEXTS * 64)) vectors (
+      .clk, .write(vector_write), .write_address({parsed_context, vector_number}), .write_data(vector_data),
+      .read(advance), .read_address({context_2, vector_2}), .read_data(vector_3)
   );
-  hmlfc_ram #(
-      .WIDTH(ENTRY_BITS),
-      .DEPTH(CONTEXTS * 64)
-  ) entries (
-      .clk,
-      .write(entry_write),
-      .write_address({parsed_context, entry_number}),
-      .write_data(entry_data),
-      .read(advance),
-      .read_address({context_2, entry_2}),
-      .read_data(entry_3)
+  hmlfc_ram #(.WIDTH(ENTRY_BITS), .DEPTH(CONTEXTS * 64)) entries (
+      .clk, .write(entry_write), .write_address({parsed_context, entry_number}), .write_data(entry_data),
+      .read(advance), .read_address({context_2, entry_2}), .read_data(entry_3)
   );
 
   always_comb begin
@@ -160,38 +143,27 @@ module hmlfc_residual_blocks #(
   assign release_valid = advance && valid[3] && flow_3.residual_asked;
   assign release_context = context_3;
 
-  // Stages 4 to 12: bits, values, residuals.
+  // From stage 4 on: bits, values, residuals.
   logic [5:0] shift_4, code_4, code_5, code_6, code_7, code_8;
   logic [3:0] step_4, step_5, step_6, step_7, step_8;
   logic [13:0] bias_4, bias_5, bias_6, bias_7, bias_8;
   logic [BITS-1:0] bits_5;
-  logic [SAMPLES*VALUE_BITS-1:0] values_8, residuals_12;
+  logic [SAMPLES*VALUE_BITS-1:0] values_8, gathered;
+  logic [PART_BITS-1:0] value_part, residual_part;
   hmlfc_pkg::flow_t flow_8;
   assign flow_8 = flows[7*FLOW_BITS+:FLOW_BITS];
-  hmlfc_bise_unpack #(
-      .COUNT(SAMPLES),
-      .VALUE_BITS(VALUE_BITS),
-      .WINDOW_BITS(BITS)
-  ) unpack (
-      .clk,
-      .advance,
-      .level_code(code_5),
-      .window(bits_5),
-      .values(values_8)
+  hmlfc_bise_unpack #(.COUNT(SAMPLES), .VALUE_BITS(VALUE_BITS), .WINDOW_BITS(BITS)) unpack (
+      .clk, .advance, .level_code(code_5), .window(bits_5), .values(values_8)
   );
-  hmlfc_residual #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .MAX_DEPTH(MAX_DEPTH)
-  ) scale (
-      .clk,
-      .advance,
-      .values(values_8),
-      .level_code(code_8),
-      .bias(bias_8[VALUE_BITS-1:0]),
-      .step_code(step_8),
-      .chroma(flow_8.job.plane != 2'd0),
-      .depth(stream.depth),
-      .residuals(residuals_12)
+  always_comb begin
+    value_part = '0;
+    for (int p = 0; p < CLOCKS; p++) begin
+      if (CLOCKS == 1 || part == CLOCK_BITS'(p)) value_part = values_8[p*PART_BITS+:PART_BITS];
+    end
+  end
+  hmlfc_residual #(.BLOCK_LOG2(BLOCK_LOG2), .ROWS((1 << BLOCK_LOG2) / CLOCKS), .MAX_DEPTH(MAX_DEPTH)) scale (
+      .clk, .advance(step), .values(value_part), .level_code(code_8), .bias(bias_8[VALUE_BITS-1:0]), .step_code(step_8),
+      .chroma(flow_8.job.plane != 2'd0), .depth(stream.depth), .residuals(residual_part)
   );
 
   always_ff @(posedge clk) begin
@@ -223,13 +195,23 @@ module hmlfc_residual_blocks #(
         has_residual[STAGES-1:2], flow_1.residual_asked && residual_mask_1[number_1] && head_error_1 == 0
       };
     end
+    if (!rst_n || advance) part <= '0;
+    else if (!last) part <= part + 1'b1;
     if (!rst_n) valid <= '0;
   end
 
-  assign out_valid = valid[STAGES];
+  if (CLOCKS == 1) begin : g_block
+    assign gathered = residual_part;
+  end else begin : g_parts
+    logic [(CLOCKS-1)*PART_BITS-1:0] earlier;
+    assign gathered = {residual_part, earlier};
+    always_ff @(posedge clk) if (step) earlier <= gathered[SAMPLES*VALUE_BITS-1:PART_BITS];
+  end
+
+  assign out_valid = valid[STAGES] && last;
   assign out_flow = flows[(STAGES-1)*FLOW_BITS+:FLOW_BITS];
   assign out_has_residual = has_residual[STAGES];
-  assign out_residual = residuals_12 & {SAMPLES * VALUE_BITS{has_residual[STAGES]}};
+  assign out_residual = gathered & {SAMPLES * VALUE_BITS{has_residual[STAGES]}};
 
 endmodule
 

@@ -8,14 +8,15 @@
 //   head      masks of the blocks with motion and with a residual, or an error of the whole tile;
 //   vectors   for the m-th block with motion: sign and vector (TIL-7), or vector_range;
 //   entries   for the m-th block with a residual: its header and where its values begin, or an error.
-// `loaded_valid` is high when all are written. Two clocks a field, three for a mask that the record holds, then one for
-// each vector and each entry.
+// `loaded_valid` is high when all are written. Two clocks a field, three for a mask or bounds, then one for
+// each vector, or two with one reader, and each entry.
 module hmlfc_residual_parser #(
     parameter int BLOCK_LOG2 = 2,
     parameter int CONTEXTS = 8,
     parameter int CONTEXT_WORDS = 256,  // words of 64 bits of a context's part of the memory
     parameter int WINDOW_BITS = 256,
     parameter int SKEW_BITS = 7,
+    parameter int READERS = 2,  // of vectors: 1, 2
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
     localparam int CONTEXT_BITS = $clog2(CONTEXTS),
     localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS),
@@ -35,10 +36,10 @@ module hmlfc_residual_parser #(
     input logic [SKEW_BITS-1:0] parse_skew,
     input logic [POSITION_BITS-1:0] parse_bits,
 
-    // Two read ports of the record memory; the second is for vertical components only.
-    output logic [1:0] read_enable,
-    output logic [2*WORD_BITS-1:0] read_word,
-    input logic [2*WINDOW_BITS-1:0] window,
+    // Read ports of the record memory; a second is for vertical components only.
+    output logic [READERS-1:0] read_enable,
+    output logic [READERS*WORD_BITS-1:0] read_word,
+    input logic [READERS*WINDOW_BITS-1:0] window,
 
     output logic head_write,
     output logic [5:0] head_error,
@@ -93,19 +94,13 @@ module hmlfc_residual_parser #(
   wire [79:0] field = 80'(window[WINDOW_BITS-1:0] >> shift);
 
   logic [1:0] motion_mode, residual_mode;
-  logic held;  // a mask's field is in `mask_field`
-  logic [79:0] mask_field;
+  logic held;  // the field of a mask or of bounds, which take long, is in `held_field`
+  logic [79:0] held_field;
   logic [63:0] in_plane, mask, motion_mask, residual_mask;
   logic [6:0] mask_bits;
   wire [1:0] mask_mode = state == MOTION_MASK ? motion_mode : residual_mode;
   hmlfc_tile_mask masks (
-      .columns,
-      .rows,
-      .mode(mask_mode),
-      .field(mask_field),
-      .in_plane,
-      .mask,
-      .bits(mask_bits)
+      .columns, .rows, .mode(mask_mode), .field(held_field), .in_plane, .mask, .bits(mask_bits)
   );
   logic [6:0] motion_count, residual_count;
 
@@ -114,17 +109,9 @@ module hmlfc_residual_parser #(
   logic signed [8:0] next_min_x, next_min_y, min_x, min_y;
   logic [P-1:0] bounds_end;
   hmlfc_vector_bounds bounds (
-      .search_window(stream.window),
-      .field(field[31:0]),
-      .position,
-      .bits,
-      .error(bounds_error),
-      .sign_mode(next_sign_mode),
-      .min_x(next_min_x),
-      .min_y(next_min_y),
-      .codes_x(next_codes_x),
-      .codes_y(next_codes_y),
-      .next(bounds_end)
+      .search_window(stream.window), .field(held_field[31:0]), .position, .bits, .error(bounds_error),
+      .sign_mode(next_sign_mode), .min_x(next_min_x), .min_y(next_min_y), .codes_x(next_codes_x),
+      .codes_y(next_codes_y), .next(bounds_end)
   );
 
   logic [63:0] signs;
@@ -132,36 +119,15 @@ module hmlfc_residual_parser #(
   logic vectors_start, vectors_placed;
   wire vectors_active = state == VECTORS;
   logic vectors_last;
-  logic [1:0] vectors_enable;
-  logic [2*WORD_BITS-1:0] vectors_word;
+  logic [READERS-1:0] vectors_enable;
+  logic [READERS*WORD_BITS-1:0] vectors_word;
   hmlfc_tile_vectors #(
-      .WORD_BITS(WORD_BITS),
-      .PLACE_BITS(PLACE_BITS),
-      .WINDOW_BITS(WINDOW_BITS)
+      .WORD_BITS(WORD_BITS), .PLACE_BITS(PLACE_BITS), .WINDOW_BITS(WINDOW_BITS), .READERS(READERS)
   ) vectors (
-      .clk,
-      .rst_n,
-      .count(motion_count),
-      .min_x,
-      .min_y,
-      .codes_x,
-      .codes_y,
-      .signs,
-      .search_window(stream.window),
-      .position,
-      .start(vectors_start),
-      .placed(vectors_placed),
-      .next(vectors_end),
-      .context_number,
-      .skew(PLACE_BITS'(skew)),
-      .active(vectors_active),
-      .last(vectors_last),
-      .read_enable(vectors_enable),
-      .read_word(vectors_word),
-      .window,
-      .vector_write,
-      .vector_number,
-      .vector_data
+      .clk, .rst_n, .count(motion_count), .min_x, .min_y, .codes_x, .codes_y, .signs, .search_window(stream.window),
+      .position, .start(vectors_start), .placed(vectors_placed), .next(vectors_end), .context_number,
+      .skew(PLACE_BITS'(skew)), .active(vectors_active), .last(vectors_last), .read_enable(vectors_enable),
+      .read_word(vectors_word), .window, .vector_write, .vector_number, .vector_data
   );
 
   logic [5:0] shared_error;
@@ -169,39 +135,24 @@ module hmlfc_residual_parser #(
   logic headers_overrun, headers_last, headers_pending;
   wire headers_start = state == RESIDUALS && fresh;
   wire headers_active = state == HEADERS;
-  hmlfc_tile_headers #(
-      .BLOCK_LOG2(BLOCK_LOG2),
-      .SKEW_BITS(SKEW_BITS)
-  ) headers (
-      .clk,
-      .rst_n,
-      .count(residual_count),
-      .depth(stream.depth),
-      .steps(stream.features.residual_step),
-      .skew,
-      .bits,
-      .field(field[31:0]),
-      .position,
-      .start(headers_start),
-      .shared_error,
-      .shared_bits,
-      .active(headers_active),
-      .header_bits,
-      .overrun(headers_overrun),
-      .last(headers_last),
-      .pending(headers_pending),
-      .entry_write,
-      .entry_number,
-      .entry_data
+  hmlfc_tile_headers #(.BLOCK_LOG2(BLOCK_LOG2), .SKEW_BITS(SKEW_BITS)) headers (
+      .clk, .rst_n, .count(residual_count), .depth(stream.depth), .steps(stream.features.residual_step), .skew, .bits,
+      .field(field[31:0]), .position, .start(headers_start), .shared_error, .shared_bits, .active(headers_active),
+      .header_bits, .overrun(headers_overrun), .last(headers_last), .pending(headers_pending), .entry_write,
+      .entry_number, .entry_data
   );
 
   assign parse_ready = state == IDLE;
-  assign read_enable = {vectors_enable[1], state == VECTORS ? vectors_enable[0] : 1'b1};
   // Yosys 0.23 gives an operator in a concatenation the width that a cast operand had before the cast: no casts there.
   wire [WORD_BITS-1:0] field_word = {context_number, (WORD_BITS - CONTEXT_BITS)'(address >> 6)};
-  assign read_word = {
-    vectors_word[2*WORD_BITS-1:WORD_BITS], state == VECTORS ? vectors_word[WORD_BITS-1:0] : field_word
-  };
+  always_comb begin
+    read_enable = vectors_enable;
+    read_word = vectors_word;
+    if (state != VECTORS) begin
+      read_enable[0] = 1'b1;
+      read_word[WORD_BITS-1:0] = field_word;
+    end
+  end
   assign head_write = state == FINISH;
   assign head_error = error;
   assign head_motion = motion_mask;
@@ -213,7 +164,7 @@ module hmlfc_residual_parser #(
   always_ff @(posedge clk) begin
     shift <= address[5:0];
     fresh <= 1'b1;
-    mask_field <= field;
+    held_field <= field;
     vectors_start <= state == SIGNS && fresh && error == 0;
     unique case (state)
       IDLE:
@@ -258,7 +209,9 @@ module hmlfc_residual_parser #(
         else state <= residual_mask != 0 ? RESIDUALS : FINISH;
       end
       BOUNDS:
-      if (fresh) begin
+      if (!held) held <= fresh;
+      else begin
+        held <= 1'b0;
         sign_mode <= next_sign_mode;
         min_x <= next_min_x;
         min_y <= next_min_y;

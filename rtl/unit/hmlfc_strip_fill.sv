@@ -121,119 +121,102 @@ module hmlfc_strip_fill #(
     end
   end
 
-  // Rows of 128 bits of the oldest strip, when it is complete, one a clock; of a strip that failed one.
-  logic [2:0] number;
-  logic word_valid, word_first, word_failed, put;
-  logic [PLACE_BITS-1:0] word_place;
-  logic [127:0] word;
-  wire [SLOT_BITS-1:0] slot = taken[SLOT_BITS-1:0];
-  wire there = asked != taken && complete[slot];
-  wire last = failed[slot] || number == 3'((totals[slot] - 1'b1) >> 3);
-  wire read = there && (!word_valid || put);
-  if (DATA_BITS == 64) begin : g_halves
-    for (genvar l = 0; l < 2; l++) begin : g_lane
-      hmlfc_ram #(.WIDTH(64), .DEPTH(SLOTS * 8)) beats (
-          .clk, .write(response.valid && at[0] == 1'(l)), .write_address({burst_slot, at[BEAT_BITS-1:1]}),
-          .write_data(data), .read, .read_address({slot, number}), .read_data(word[l*64+:64])
-      );
-    end
-  end else begin : g_rows
-    localparam int ROWS = DATA_BITS / 128;  // in a beat
-    logic [DATA_BITS-1:0] beat_rows;
-    logic row;
-    hmlfc_ram #(.WIDTH(DATA_BITS), .DEPTH(SLOTS * MAX_BEATS)) beats (
-        .clk, .write(response.valid), .write_address({burst_slot, at}), .write_data(data), .read,
-        .read_address({slot, number[2-:BEAT_BITS]}), .read_data(beat_rows)
+  // Lanes of halves: a read takes LANES halves of a strip from any one on, each lane its own row.
+  localparam int LANES = DATA_BITS < 256 ? 8 : 16;
+  localparam int LANE_LOG2 = $clog2(LANES);
+  localparam int ROW_BITS = HALVES_BITS - LANE_LOG2;
+  logic read;
+  logic [SLOT_BITS-1:0] read_slot;
+  logic [HALVES_BITS-1:0] read_half;
+  logic [LANE_LOG2-1:0] lane_1;  // of the first half of the read before
+  logic [LANES*16-1:0] lanes;
+  localparam int LOW_BITS = LANES < RAW_BITS ? LANES * 16 : RAW_BITS * 16;  // of a quarter in its first read
+  wire [LOW_BITS-1:0] halves_1 = LOW_BITS'({lanes, lanes} >> {lane_1, 4'd0});
+  wire [HALVES_BITS-1:0] write_half = HALVES_BITS'(at) << $clog2(BEAT_HALVES);
+  for (genvar l = 0; l < LANES; l++) begin : g_lane
+    /* verilator lint_off CMPCONST */  // never for the last lane
+    wire [ROW_BITS-1:0] row = read_half[HALVES_BITS-1:LANE_LOG2] + ROW_BITS'(read_half[LANE_LOG2-1:0] > LANE_LOG2'(l));
+    /* verilator lint_on CMPCONST */
+    wire here = BEAT_HALVES >= LANES || write_half[LANE_LOG2-1] == 1'(l >= LANES / 2);
+    hmlfc_ram #(.WIDTH(16), .DEPTH(SLOTS << ROW_BITS)) beats (
+        .clk, .write(response.valid && here), .write_address({burst_slot, write_half[HALVES_BITS-1:LANE_LOG2]}),
+        .write_data(data[l%BEAT_HALVES*16+:16]), .read, .read_address({read_slot, row}), .read_data(lanes[l*16+:16])
     );
-    always_ff @(posedge clk) if (read) row <= number[0] && ROWS == 2;
-    assign word = 128'(beat_rows >> {row, 7'd0});
-  end
-  hmlfc_ram #(.WIDTH(PLACE_BITS), .DEPTH(SLOTS)) places (
-      .clk, .write(ask), .write_address(ask_slot), .write_data(ask_place), .read, .read_address(slot),
-      .read_data(word_place)
-  );
-  always_ff @(posedge clk) begin
-    if (read) begin
-      word_first <= number == 0;
-      word_failed <= failed[slot];
-      number <= last ? '0 : number + 1'b1;
-      if (last) taken <= taken + 1'b1;
-    end
-    if (!rst_n) begin
-      number <= '0;
-      taken <= '0;
-      word_valid <= 1'b0;
-    end else word_valid <= read || (word_valid && !put);
   end
 
-  // A window of three rows, of which the first `rows` hold the strip from the next quarter on, which begins `half`
-  // halves after their begin; then the samples of a quarter, 16 fields.
-  logic active, strip_failed;
+  // A strip that is complete is read quarter by quarter, each in one read, or two where it is longer. What the read
+  // before gave is looked at beside the next: `heads` begins with its quarter. Of a strip that failed whatever comes is
+  // read.
+  logic step, active, first_1, second_1;
+  logic [SLOT_BITS:0] begun;  // counts strips
   logic [PLACE_BITS-1:0] strip_place;
-  logic [79:0] heads;
-  logic [1:0] quarter, rows;
-  logic [2:0] half;
-  logic [3*128-1:0] window;
+  logic strip_failed;
+  logic [79:0] head, later_heads;
+  wire [79:0] heads = first_1 ? head : later_heads;
+  logic [1:0] quarter;
+  logic [HALVES_BITS-1:0] half_1;
   wire [3:0] width = heads[3:0];
   wire [3:0] halves = width == 4'(RAW) ? 4'(RAW_BITS) : width;
-  wire [4:0] next_half = 5'(half) + 5'(halves);
-  wire enough = strip_failed || 5'({rows, 3'd0}) >= next_half;
-  logic fields_valid, fields_move;
-  wire go = active && enough && (!fields_valid || fields_move);
-  wire finishes = go && quarter == 2'd3;
-  wire starts = word_valid && word_first && (!active || finishes);
-  wire [1:0] dropped = go ? next_half[4:3] : 2'd0;
-  wire [1:0] left = rows - dropped;
-  wire adds = active && word_valid && !word_first && !finishes && left != 2'd3;
-  assign put = starts || adds;
-  logic [3*128-1:0] dropped_window;
-  always_comb begin
-    unique case (dropped)
-      2'd0: dropped_window = window;
-      2'd1: dropped_window = {window[383:256], window[383:128]};
-      default: dropped_window = {window[383:128], window[383:256]};
-    endcase
+  wire more = !second_1 && 5'(halves) > 5'(LANES);
+  wire second = active && more;
+  wire whole = active && !more;
+  wire ends_strip = whole && quarter == 2'd3;
+  wire begins = (!active || ends_strip) && begun != asked && complete[begun[SLOT_BITS-1:0]];
+  assign read = step && (begins || (active && !ends_strip));
+  assign read_slot = begins ? begun[SLOT_BITS-1:0] : taken[SLOT_BITS-1:0];
+  assign read_half = begins ? HALVES_BITS'(HEAD_HALVES) :
+      half_1 + (more ? HALVES_BITS'(LANES) : HALVES_BITS'(halves));
+  for (genvar h = 0; h < HEAD_HALVES; h++) begin : g_head
+    hmlfc_ram #(.WIDTH(16), .DEPTH(SLOTS)) of_strip (
+        .clk, .write(response.valid && at == BEAT_BITS'(h / BEAT_HALVES)), .write_address(burst_slot),
+        .write_data(data[h%BEAT_HALVES*16+:16]), .read(step && begins), .read_address(begun[SLOT_BITS-1:0]),
+        .read_data(head[h*16+:16])
+    );
   end
+  hmlfc_ram #(.WIDTH(PLACE_BITS), .DEPTH(SLOTS)) places (
+      .clk, .write(ask), .write_address(ask_slot), .write_data(ask_place), .read(step && begins),
+      .read_address(begun[SLOT_BITS-1:0]), .read_data(strip_place)
+  );
 
+  // A quarter: 16 fields.
+  logic fields_valid, fields_move;
   logic [RAW_BITS*16-1:0] fields;
   logic [3:0] fields_width;
   logic [15:0] fields_base;
   logic [1:0] fields_quarter;
   logic fields_failed;
   logic [PLACE_BITS-1:0] fields_place;
+  assign step = !fields_valid || fields_move;
   always_ff @(posedge clk) begin
-    if (starts) begin
-      window[127:0] <= word;
-      heads <= word[79:0];
-      {half, rows, quarter} <= {3'(HEAD_HALVES), 2'd1, 2'd0};
-      strip_failed <= word_failed;
-      strip_place <= word_place;
-    end else begin
-      for (int r = 0; r < 3; r++) begin
-        window[r*128+:128] <= adds && left == 2'(r) ? word : dropped_window[r*128+:128];
+    if (step) begin
+      {second_1, lane_1} <= {second, read_half[LANE_LOG2-1:0]};
+      first_1 <= begins || (first_1 && second);
+      if (!second) half_1 <= read_half;
+      if (begins) begin
+        begun <= begun + 1'b1;
+        strip_failed <= failed[begun[SLOT_BITS-1:0]];
       end
-      rows <= left + 2'(adds);
-      if (go) begin
-        heads <= heads >> 20;
-        half <= next_half[2:0];
-        quarter <= quarter + 2'd1;
-      end
-    end
-    if (go) begin
-      fields <= (RAW_BITS*16)'(window >> {half, 4'd0});
+      if (ends_strip) taken <= taken + 1'b1;
+      if (whole) later_heads <= heads >> 20;
+      quarter <= begins ? 2'd0 : quarter + 2'(whole);
+      if (!second_1) fields[LOW_BITS-1:0] <= halves_1;
       fields_width <= width;
       fields_base <= heads[19:4];
       fields_quarter <= quarter;
       fields_failed <= strip_failed;
       fields_place <= strip_place;
+      active <= begins || (active && !ends_strip);
+      fields_valid <= whole;
     end
     if (!rst_n) begin
+      begun <= '0;
+      taken <= '0;
       active <= 1'b0;
       fields_valid <= 1'b0;
-    end else begin
-      active <= starts || (active && !finishes);
-      fields_valid <= go || (fields_valid && !fields_move);
     end
+  end
+  if (LOW_BITS < RAW_BITS * 16) begin : g_second
+    always_ff @(posedge clk) if (step) fields[RAW_BITS*16-1:LOW_BITS] <= halves_1[RAW_BITS*16-LOW_BITS-1:0];
   end
 
   // Samples: base + a field of `width` bits. In a quarter of width RAW a bit of the base says of each four samples

@@ -10,6 +10,7 @@ module hmlfc_tile_store #(
     parameter int KIND = hmlfc_pkg::RESIDUAL_TILES,  // or MOTION_TILES, DISPARITY_TILES
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
+    parameter int CLOCKS = 1,  // of a block with residuals; of a vector of a residual tile one, or 2 where this is more
     parameter int DATA_BITS = 128,
     parameter int CONTEXTS = 4,
     parameter int CONTEXT_WORDS = 64,  // words of 64 bits for a record and its skew, a power of two
@@ -62,7 +63,7 @@ module hmlfc_tile_store #(
     input logic [PARSE_BITS-1:0] parse
 );
 
-  localparam int PARSER_READS = RESIDUALS ? 2 : 1;  // read ports of the parser; the next one is that of the blocks
+  localparam int PARSER_READS = RESIDUALS && CLOCKS == 1 ? 2 : 1;  // read ports of the parser; the next is the blocks'
   localparam int READS = PARSER_READS + 1;
   localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
   localparam int RESIDUAL_BANKS = (SAMPLES * VALUE_BITS + 63 + 63) / 64;
@@ -110,7 +111,7 @@ module hmlfc_tile_store #(
     logic [ENTRY_BITS-1:0] entry_data;
     hmlfc_residual_parser #(
         .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS),
-        .SKEW_BITS(SKEW_BITS)
+        .SKEW_BITS(SKEW_BITS), .READERS(PARSER_READS)
     ) parser (
         .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
         .parse_skew, .parse_bits, .read_enable(parser_enable), .read_word(parser_word), .window(parser_window),
@@ -119,8 +120,8 @@ module hmlfc_tile_store #(
     );
 
     hmlfc_residual_blocks #(
-        .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS),
-        .WINDOW_BITS(WINDOW_BITS)
+        .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .CLOCKS(CLOCKS), .CONTEXTS(CONTEXTS),
+        .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS)
     ) blocks (
         .clk, .rst_n, .stream, .ready, .release_valid, .release_context, .head_write, .vector_write, .entry_write,
         .parsed_context(loaded_context), .head_error, .head_motion, .head_residual, .vector_number, .vector_data,

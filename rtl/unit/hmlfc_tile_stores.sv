@@ -14,6 +14,7 @@ module hmlfc_tile_stores #(
     parameter int MAX_DEPTH = 8,
     parameter int DATA_BITS = 128,
     parameter int TILE_CONTEXTS = 16,
+    parameter int BLOCK_CLOCKS = 1,  // of a block with residuals
     localparam int READ_REQUEST_BITS = hmlfc_pkg::READ_REQUEST_BITS,
     localparam int READ_RESPONSE_BITS = hmlfc_pkg::READ_RESPONSE_BITS,
     localparam int RESIDUAL_BITS = (MAX_DEPTH + 2) << (2 * BLOCK_LOG2)
@@ -43,8 +44,8 @@ module hmlfc_tile_stores #(
 );
 
   localparam int FLOW_BITS = hmlfc_pkg::FLOW_BITS;
-  localparam int MOTION_CONTEXTS = 4;
-  localparam int DISPARITY_CONTEXTS = 4;
+  localparam int MOTION_CONTEXTS = TILE_CONTEXTS < 4 ? TILE_CONTEXTS : 4;
+  localparam int DISPARITY_CONTEXTS = MOTION_CONTEXTS;
 
   // Words of the longest record of a tile (section 11, bit position in a tile record), with a beat for its skew.
   localparam int RESIDUAL_WORDS = 1 << $clog2((64 * (RESIDUAL_BITS + 23) + 4096 + DATA_BITS + 63) / 64);
@@ -133,7 +134,7 @@ module hmlfc_tile_stores #(
 
   hmlfc_tile_store #(
       .KIND(hmlfc_pkg::RESIDUAL_TILES), .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(DATA_BITS),
-      .CONTEXTS(TILE_CONTEXTS), .CONTEXT_WORDS(RESIDUAL_WORDS)
+      .CLOCKS(BLOCK_CLOCKS), .CONTEXTS(TILE_CONTEXTS), .CONTEXT_WORDS(RESIDUAL_WORDS)
   ) residuals (
       .clk, .rst_n, .stream, .flush, .ask(residual_ask), .ask_tile(residual_tile), .ask_info(residual_info),
       .granted(residual_granted), .granted_context(residual_context), .in_valid(disparity_valid),

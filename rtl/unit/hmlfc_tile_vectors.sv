@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 `default_nettype none
 
-// Lists the vectors of a residual tile (TIL-7), one a clock.
+// Lists the vectors of a residual tile (TIL-7), one a clock, or one in two clocks with one reader.
 //
 // `start` takes the place of the components; count and codes keep from two clocks before, bounds and signs from then
 // on. `placed`, 2 clocks later: `next` holds.
-// While `active`, from then on, it asks for vector after vector, and writes each 4 clocks later; `last`: the last is
-// written in this clock. The horizontal components are read through read port 0, the vertical ones through port 1.
+// While `active`, from then on, it asks for vector after vector, and writes each 4 clocks later; `last`: all are
+// written after this clock. The horizontal components are read through read port 0, the vertical ones through the last.
 module hmlfc_tile_vectors #(
     parameter int WORD_BITS = 10,  // of word addresses of the record memory
     parameter int PLACE_BITS = 14,  // of bit positions in a context's part of it
     parameter int WINDOW_BITS = 256,
+    parameter int READERS = 2,  // 1, 2
     localparam int CONTEXT_BITS = WORD_BITS + 6 - PLACE_BITS,
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
     localparam int VECTOR_BITS = 18
@@ -35,9 +36,9 @@ module hmlfc_tile_vectors #(
     input logic active,
     output logic last,
 
-    output logic [1:0] read_enable,
-    output logic [2*WORD_BITS-1:0] read_word,
-    input logic [2*WINDOW_BITS-1:0] window,
+    output logic [READERS-1:0] read_enable,
+    output logic [READERS*WORD_BITS-1:0] read_word,
+    input logic [READERS*WINDOW_BITS-1:0] window,
 
     output logic vector_write,
     output logic [5:0] vector_number,
@@ -48,16 +49,10 @@ module hmlfc_tile_vectors #(
   // next.
   logic [13:0] bits_x, bits_y;
   hmlfc_bise_bits size_x (
-      .clk,
-      .count(11'(count)),
-      .level_code(codes_x),
-      .bits(bits_x)
+      .clk, .count(11'(count)), .level_code(codes_x), .bits(bits_x)
   );
   hmlfc_bise_bits size_y (
-      .clk,
-      .count(11'(count)),
-      .level_code(codes_y),
-      .bits(bits_y)
+      .clk, .count(11'(count)), .level_code(codes_y), .bits(bits_y)
   );
   logic [POSITION_BITS-1:0] y_position;
   logic [PLACE_BITS-1:0] x_place, y_place;
@@ -74,40 +69,29 @@ module hmlfc_tile_vectors #(
     {placed, placing} <= rst_n ? {placing, start} : 2'b00;
   end
 
+  // One reader takes x and y in turn, two take them together.
   logic [6:0] number;  // of the vector that is requested
-  logic [7:0] value_x, value_y;
-  hmlfc_element_reader #(
-      .WORD_BITS(WORD_BITS),
-      .VALUE_BITS(8),
-      .WINDOW_BITS(WINDOW_BITS)
-  ) reader_x (
-      .clk,
-      .advance(1'b1),
-      .position({context_number, x_place}),
-      .total(bits_x),
-      .level_code(codes_x),
-      .index(10'(number)),
-      .value(value_x),
-      .read_enable(read_enable[0]),
-      .read_word(read_word[WORD_BITS-1:0]),
-      .window(window[WINDOW_BITS-1:0])
-  );
-  hmlfc_element_reader #(
-      .WORD_BITS(WORD_BITS),
-      .VALUE_BITS(8),
-      .WINDOW_BITS(WINDOW_BITS)
-  ) reader_y (
-      .clk,
-      .advance(1'b1),
-      .position({context_number, y_place}),
-      .total(bits_y),
-      .level_code(codes_y),
-      .index(10'(number)),
-      .value(value_y),
-      .read_enable(read_enable[1]),
-      .read_word(read_word[2*WORD_BITS-1:WORD_BITS]),
-      .window(window[2*WINDOW_BITS-1:WINDOW_BITS])
-  );
+  logic of_y;
+  wire whole = READERS == 2 || of_y;
+  logic [READERS*8-1:0] values;
+  logic [7:0] value_x;
+  for (genvar r = 0; r < READERS; r++) begin : g_reader
+    wire y = READERS == 2 ? 1'(r) : of_y;
+    hmlfc_element_reader #(.WORD_BITS(WORD_BITS), .VALUE_BITS(8), .WINDOW_BITS(WINDOW_BITS)) reader (
+        .clk, .advance(1'b1), .position({context_number, y ? y_place : x_place}), .total(y ? bits_y : bits_x),
+        .level_code(y ? codes_y : codes_x), .index(10'(number)), .value(values[r*8+:8]), .read_enable(read_enable[r]),
+        .read_word(read_word[r*WORD_BITS+:WORD_BITS]), .window(window[r*WINDOW_BITS+:WINDOW_BITS])
+    );
+  end
+  if (READERS == 2) begin : g_together
+    assign {of_y, value_x} = {1'b0, values[7:0]};
+  end else begin : g_in_turn
+    always_ff @(posedge clk) begin
+      of_y <= active && !of_y;
+      value_x <= values;
+    end
+  end
+  wire [7:0] value_y = values[READERS*8-1-:8];
 
   logic [3:0] valid;  // what the readers hold
   logic [4*6-1:0] numbers;
@@ -121,8 +105,8 @@ module hmlfc_tile_vectors #(
 
   always_ff @(posedge clk) begin
     if (start) number <= '0;
-    if (active) number <= number + 1'b1;
-    valid <= {valid[2:0], active && number < count};
+    if (active && whole) number <= number + 1'b1;
+    valid <= {valid[2:0], active && whole && number < count};
     numbers <= {numbers[17:0], number[5:0]};
     if (!rst_n) valid <= '0;
   end

@@ -5,13 +5,15 @@
 // are (DEC-1, STR-1, STR-3, STR-4, EXT-3, EXT-4, MOT-7, IDX-1).
 //
 // `start` takes an existing view; for each level from 0 to tree_height `write` gives the entry of the table of images
-// of level `write_level`: 19 clocks each, or 26 with balanced groups, and 4 more for the last; `done` is high for one
-// clock when all are written and `keys` holds: bit l: the image of level l is a key image (STR-5).
+// of level `write_level`: 19 clocks each, or 26 with balanced groups, and 4 more for the last; with one
+// unit for both axes 12 or 19 more for each level. `done` is high for one clock when all are written and `keys` holds:
+// bit l: the image of level l is a key image (STR-5).
 //
 // Six addresses of a level go through one pipeline, one a clock: of the four reference images, of the image's first
 // tile, of that of K0. Each is the number of an image, row * columns + column, times what an image takes, on top of the
 // first.
 module hmlfc_view #(
+    parameter int UNITS = 2,  // units for rows and columns: 1, 2
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int TILE_BITS = hmlfc_pkg::TILE_BITS,
     localparam int LEVELS = hmlfc_pkg::LEVELS,
@@ -45,43 +47,37 @@ module hmlfc_view #(
   hmlfc_pkg::level_t level;
   always_ff @(posedge clk) level <= levels[32'(l)*LEVEL_BITS+:LEVEL_BITS];
 
-  logic axes_start, rows_done, cols_done;
+  // Rows and columns beside each other, or with one unit columns after rows, whose results are kept.
+  localparam int AXIS_BITS = 11 + 10 + 11 + 10 + 10;
+  logic axes_start, axes_done, of_cols;
+  logic [UNITS-1:0] axis_done;
+  logic [UNITS*AXIS_BITS-1:0] axis;
+  logic [AXIS_BITS-1:0] of_rows;
   logic [10:0] group_row, group_col, next_row_group, next_col_group;
   logic [9:0] own_row, own_col, next_row, next_col, parent_row, parent_col;
-  hmlfc_group_axis rows (
-      .clk,
-      .rst_n,
-      .start(axes_start),
-      .at(row),
-      .count(level.rows),
-      .size(level.ref_rows),
-      .groups(level.group_rows),
-      .balanced(stream.features.balanced_groups),
-      .cluster(stream.cluster_rows),
-      .done(rows_done),
-      .group(group_row),
-      .reference_at(own_row),
-      .next_group(next_row_group),
-      .next_reference_at(next_row),
-      .parent(parent_row)
-  );
-  hmlfc_group_axis cols (
-      .clk,
-      .rst_n,
-      .start(axes_start),
-      .at(col),
-      .count(level.cols),
-      .size(level.ref_cols),
-      .groups(level.group_cols),
-      .balanced(stream.features.balanced_groups),
-      .cluster(stream.cluster_cols),
-      .done(cols_done),
-      .group(group_col),
-      .reference_at(own_col),
-      .next_group(next_col_group),
-      .next_reference_at(next_col),
-      .parent(parent_col)
-  );
+  for (genvar g = 0; g < UNITS; g++) begin : g_axis
+    wire cols = UNITS == 2 ? g == 1 : of_cols;
+    hmlfc_group_axis one_axis (
+        .clk, .rst_n, .start(axes_start || (UNITS == 1 && axis_done[g] && !of_cols)), .at(cols ? col : row),
+        .count(cols ? level.cols : level.rows), .size(cols ? level.ref_cols : level.ref_rows),
+        .groups(cols ? level.group_cols : level.group_rows), .balanced(stream.features.balanced_groups),
+        .cluster(cols ? stream.cluster_cols : stream.cluster_rows), .done(axis_done[g]),
+        .group(axis[g*AXIS_BITS+41+:11]), .reference_at(axis[g*AXIS_BITS+31+:10]),
+        .next_group(axis[g*AXIS_BITS+20+:11]), .next_reference_at(axis[g*AXIS_BITS+10+:10]),
+        .parent(axis[g*AXIS_BITS+:10])
+    );
+  end
+  assign axes_done = &axis_done && (UNITS == 2 || of_cols);
+  if (UNITS == 2) begin : g_together
+    assign {of_cols, of_rows} = {1'b0, axis[AXIS_BITS-1:0]};
+  end else begin : g_in_turn
+    always_ff @(posedge clk) begin
+      if (axis_done[0] && !of_cols) of_rows <= axis;
+      of_cols <= !axes_start && (of_cols || axis_done[0]);
+    end
+  end
+  assign {group_row, own_row, next_row_group, next_row, parent_row} = of_rows;
+  assign {group_col, own_col, next_col_group, next_col, parent_col} = axis[UNITS*AXIS_BITS-1-:AXIS_BITS];
 
   // MOT-7: H is beside K0, V above or below it; the nearer direction's is K2.
   wire [9:0] distance_row = row > own_row ? row - own_row : own_row - row;
@@ -195,7 +191,7 @@ module hmlfc_view #(
       end
       AXES: begin
         k <= '0;
-        if (rows_done && cols_done) state <= ADDRESSES;
+        if (axes_done) state <= ADDRESSES;
       end
       default: begin  // ADDRESSES
         k <= k + 3'd1;

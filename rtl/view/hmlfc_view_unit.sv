@@ -15,6 +15,7 @@ module hmlfc_view_unit #(
     parameter int CACHES = 2,
     parameter int CACHE_STRIPS = 512,
     parameter int STRIP_READ = 32,
+    parameter int BLOCK_CLOCKS = 1,
     parameter int TRACE = 1,
     parameter logic [2:0] AXI_PROT = 3'b010,
     parameter logic [3:0] AXI_CACHE = 4'b0011,
@@ -152,7 +153,7 @@ module hmlfc_view_unit #(
   hmlfc_decode_unit #(
       .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .AXI_DATA_BITS(AXI_DATA_BITS), .OUTSTANDING(OUTSTANDING),
       .TILE_CONTEXTS(TILE_CONTEXTS), .CACHES(CACHES), .CACHE_STRIPS(CACHE_STRIPS), .STRIP_READ(STRIP_READ),
-      .TRACE(TRACE), .AXI_PROT(AXI_PROT), .AXI_CACHE(AXI_CACHE), .AXI_QOS(AXI_QOS)
+      .BLOCK_CLOCKS(BLOCK_CLOCKS), .TRACE(TRACE), .AXI_PROT(AXI_PROT), .AXI_CACHE(AXI_CACHE), .AXI_QOS(AXI_QOS)
   ) unit (
       .clk, .rst_n(unit_rst_n), .s_request_tvalid(request_tvalid), .s_request_tready(request_tready),
       .s_request_tdata(request_tdata), .s_request_tlast(1'b0), .m_response_tvalid(response_tvalid),

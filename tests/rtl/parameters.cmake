@@ -42,12 +42,12 @@ foreach(value 32 96 2048)
 endforeach()
 hmlfc_elaboration_test(caches_3 "CACHES is 1 or 2" CACHES=3)
 hmlfc_elaboration_test(strip_read_16 "STRIP_READ is 32 or 64" STRIP_READ=16)
+hmlfc_elaboration_test(block_clocks_8 "BLOCK_CLOCKS is 1, 2 or 4, and at most the rows of a block" BLOCK_CLOCKS=8)
 hmlfc_elaboration_test(trace_2 "TRACE is 0 or 1" TRACE=2)
 hmlfc_elaboration_test(least "" BLOCK_LOG2=1 MAX_DEPTH=8 AXI_DATA_BITS=64 OUTSTANDING=4
-  TILE_CONTEXTS=2 CACHES=1 CACHE_STRIPS=64 TRACE=0)
+  TILE_CONTEXTS=2 CACHES=1 CACHE_STRIPS=64 BLOCK_CLOCKS=2 TRACE=0)
 hmlfc_elaboration_test(greatest "" BLOCK_LOG2=3 MAX_DEPTH=12 AXI_DATA_BITS=256 OUTSTANDING=64
   TILE_CONTEXTS=32 CACHE_STRIPS=1024 STRIP_READ=64)
-
 find_program(HMLFC_YOSYS yosys)
 set(trace_values 0 1)
 set(trace_assertions -assert-none -assert-any)

@@ -42,8 +42,7 @@ constexpr Fault kFaults[] = {
      }},
     {"protocol: a read burst crosses 4 KiB",
      [](UnitOutputs& out, bool) {
-       out.ar_addr |= 0xff0;
-       out.ar_len = 3;
+       if (out.ar_len > 0) out.ar_addr |= 0xff0;
      }},
     {"registers: REQUESTS", [](UnitOutputs& out, bool) { ++out.lite_r_data; }}};
 
