@@ -204,15 +204,14 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
 }
 
 // Settles by trial what is open in `asked`; for a target the quality, too.
-void search_coding(const ViewProvider& views, const StreamHeader& header, const EncodeParams& asked,
-                   const EncodeGoal* goal, uint64_t cache_bytes, const Progress& progress,
+void search_coding(const LightFieldShape& shape, const ViewProvider& part,
+                   const EncodeParams& asked, const EncodeGoal* goal, const Progress& progress,
                    SettledCoding& settled) {
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
-  const CachedViews part(views, trial_part(views, header), cache_bytes);
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
   for (int round = 0; round < kMaxRounds; ++round) {
-    CodingSearch search(views.shape(), part, found, settled.probe, progress);
+    CodingSearch search(shape, part, found, settled.probe, progress);
     const bool far = round == 0 && std::abs(search.quality_off(goal)) > kNearQuality;
     if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
       if (open_groups) search.find_groups();
@@ -248,7 +247,8 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   if (!found.chroma) found.chroma = chroma_for(views, found, goal);
   const auto header = header_for(shape, found);
   if (!header || params.profile == Profile::kMain) return settled;
-  settled.probe = probe_light_field(views, *header);
+  const CachedViews part(views, trial_part(views, *header), cache_bytes);
+  settled.probe = probe_light_field(views, *header, part);
   if (params.lossless || !header->has(Feature::kMotionTiles) || header->tree_height > 0) {
     return settled;
   }
@@ -257,7 +257,7 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
       !(open_grid && trial_effort(params.extended.preset).grid)) {
     return settled;
   }
-  search_coding(views, *header, params, goal, cache_bytes, progress, settled);
+  search_coding(shape, part, params, goal, progress, settled);
   if (goal != nullptr && !params.chroma) {
     // A number of bytes says only now what chroma may cost.
     EncodeParams again = params;
