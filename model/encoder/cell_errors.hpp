@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "encoder/motion_decision.hpp"
 #include "encoder/error_kernels.hpp"
+#include "encoder/motion_decision.hpp"
 
 namespace hmlfc {
 

@@ -63,7 +63,8 @@ double KeyCurve::bits(double asked) const {
   while (point + 2 < kErrorCount && asked >= asked_at(point + 1)) ++point;
   const double share = std::log2(asked / asked_at(point)) * 2;
   const auto size = [&](int at) { return static_cast<double>(coded(at).size()); };
-  const double bytes = size(point) + (size(point + 1) - size(point)) * std::clamp(share, 0.0, 1.0);
+  double bytes = size(point);
+  if (share > 0) bytes += (size(point + 1) - bytes) * std::min(share, 1.0);
   return 8 * bytes / static_cast<double>(plane_.samples.size());
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "bits/parallel.hpp"
 #include "encoder/key_refinement.hpp"
 #include "encoder/motion_prediction.hpp"
 #include "encoder/view_planes.hpp"
@@ -29,6 +30,8 @@ constexpr size_t kUsualImages = 24;
 constexpr std::array kRefinementSteps{0, 2, 4};
 // The squared error of 4x4 samples in a prediction that misses: what is seen elsewhere, or hidden.
 constexpr uint32_t kWellPredicted = 2600;
+// An error at which a part of the views is compared with the whole.
+constexpr double kUsualError = 2;
 // The share of a key image's error that is left in what is interpolated from it, where that cannot
 // be measured.
 constexpr double kInterpolatedError = 0.65;
@@ -133,8 +136,7 @@ class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
                               squares = std::move(squares)](const SamplePlane& coded) {
           return self->errors(p, inside, squares, coded);
         };
-        curves[p].emplace_back(inside, steps,
-                               SamplePrecision{header_.depth + (p > 0 ? 1 : 0), p > 0}, measure);
+        curves[p].emplace_back(inside, steps, precision_of(kPlanes[p], header_.depth), measure);
       }
     }
     return curves;
@@ -213,6 +215,14 @@ LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader&
   of_part.height = part.shape().height;
   of_part.row_scale = found.row_scale;
   found.keys = std::make_shared<KeyProbe>(part, of_part, found.disparities)->curves();
+  const Geometry geometry(header);
+  const ImagePlanes whole = view_planes(views, geometry, middle_of(views.shape()));
+  parallel_for(kPlaneCount, [&](size_t p) {
+    const PlaneShape& shape = geometry.plane(kPlanes[p]);
+    const KeyCurve curve(cropped(whole[p], shape.width, shape.height), 0,
+                         precision_of(kPlanes[p], header.depth), {});
+    found.key_bits[p] = curve.bits(kUsualError) / found.keys[p].front().bits(kUsualError);
+  });
   return found;
 }
 

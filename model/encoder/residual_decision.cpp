@@ -19,8 +19,6 @@ constexpr size_t kBlocks = size_t{kTileBlocks} * kTileBlocks;
 constexpr unsigned kMaxStepBits = 2;
 constexpr unsigned kMaxLevelBits = 3;
 
-// mask_mode 2, level_base 6, level_bits 3, bias_bits 4, step_base 4, step_bits 2.
-constexpr int64_t kResidualHeadBits = 21;
 // About what a block takes in a mask.
 constexpr int64_t kMaskBitsPerBlock = 2;
 
@@ -73,7 +71,7 @@ class HeadSearch {
   // Weighs the blocks that may be worth a residual. False: all together they are not worth a head.
   bool collect() {
     const int64_t least = lambda_.cost(0, kMaskBitsPerBlock);
-    const int64_t head = lambda_.cost(0, kResidualHeadBits + kTileOverheadBits);
+    const int64_t head = lambda_.cost(0, kLeastResidualBits);
     std::array<int64_t, kBlocks> worth{};  // what a block could save, if its residual were free
     int64_t most = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
@@ -151,7 +149,7 @@ class HeadSearch {
       add_block(candidate, choice, tile);
     }
     const uint32_t mode = mask_mode(tile.mask, context_.blocks_inside);
-    const int64_t bits = mask_bits(tile.mask, mode) + kResidualHeadBits + kTileOverheadBits;
+    const int64_t bits = mask_bits(tile.mask, mode) + kLeastResidualBits;
     if (gain <= lambda_.cost(0, bits)) return {};
     return tile;
   }
@@ -222,14 +220,6 @@ ResidualTile exact_residuals(std::span<const BlockValues> differences, const Til
 ResidualTile decide_residuals(std::span<const BlockValues> differences, const TileContext& context,
                               const ResidualRules& rules) {
   if (rules.lossless) return exact_residuals(differences, context);
-  int64_t zero = 0;
-  for (size_t k = 0; k < kBlocks; ++k) {
-    if (has_bit(context.blocks_inside, static_cast<unsigned>(k))) {
-      zero += rules.lambda.cost(energy(differences[k]), 0);
-    }
-  }
-  // A tile whose whole error is worth less than a record stays empty.
-  if (zero <= rules.lambda.cost(0, kResidualHeadBits + kTileOverheadBits)) return {};
   return HeadSearch(differences, context, rules).run();
 }
 

@@ -1,9 +1,13 @@
 #include "encoder/residual_plane.hpp"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
 #include <vector>
 
 #include "arithmetic/reconstruct.hpp"
 #include "bits/bit_string.hpp"
+#include "encoder/error_kernels.hpp"
 #include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
@@ -38,6 +42,12 @@ class ResidualEncoder {
 
  private:
   void encode_tile(uint32_t tx, uint32_t ty) {
+    // A tile whose whole error is worth less than a record stays empty.
+    const auto error = static_cast<int64_t>(tile_error(left(tx, 0), top(ty, 0)));
+    const int64_t record = rules_.lossless ? 0 : kLeastResidualBits;
+    if (rules_.lambda.cost(error, 0) <= rules_.lambda.cost(0, record)) {
+      return encoded_.code.append({});
+    }
     context_.blocks_inside = blocks_inside(shape_, tx, ty);
     std::vector<BlockValues> differences(kBlocksPerTile, BlockValues(size_));
     for (unsigned k = 0; k < kBlocksPerTile; ++k) {
@@ -49,6 +59,22 @@ class ResidualEncoder {
     for (unsigned k = 0; k < kBlocksPerTile; ++k) {
       if (has_bit(tile.mask, k)) add(tx, ty, k, tile.blocks[m++]);
     }
+  }
+
+  // The squared error of the prediction in the tile from (x, y) on.
+  uint64_t tile_error(uint32_t x, uint32_t y) const {
+    const uint32_t side = kTileBlocks * size_;
+    const uint32_t columns = std::min(side, shape_.width - x);
+    const uint32_t end = std::min(y + side, shape_.height);
+    std::array<uint32_t, kTileBlocks * kMaxBlockSize / 4> squares{};
+    uint64_t sum = 0;
+    for (; y < end; y += 4) {
+      square_errors({original_.row(y).data() + x, original_.width, prediction_.width, columns,
+                     std::min(4u, end - y)},
+                    prediction_.row(y).data() + x, squares.data());
+      sum = std::accumulate(squares.begin(), squares.begin() + ceil_div(columns, 4u), sum);
+    }
+    return sum;
   }
 
   uint32_t left(uint32_t tx, unsigned k) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,8 +26,7 @@ constexpr uint32_t kUsualGroup = 5;
 // is not, nothing is looked for with it.
 constexpr int kMaxRounds = 5;
 constexpr double kNextQuality = 2;
-constexpr double kNearQuality = 6;
-constexpr double kWeightStep = 1.35;
+constexpr double kNearQuality = 8;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
 
@@ -34,19 +34,18 @@ constexpr double kMatters = 0.003;
 struct TrialEffort {
   size_t images;
   bool grid;  // also finer disparities and larger motion tiles
-  bool more;  // also rows and columns apart, and the weight of key images
 };
 
 TrialEffort trial_effort(Preset preset) {
   switch (preset) {
     case Preset::kFast:
-      return {6, false, false};
+      return {6, false};
     case Preset::kSlow:
-      return {32, true, true};
+      return {32, true};
     case Preset::kMedium:
       break;
   }
-  return {10, true, false};
+  return {10, true};
 }
 
 // Sizes of groups that cut a line of `count` views into different numbers of groups, ascending.
@@ -83,9 +82,6 @@ class CodingSearch {
     }
     while (move(1, 1)) {
     }
-    if (!effort_.more) return;
-    while (move(-1, 0) || move(0, -1) || move(1, 0) || move(0, 1)) {
-    }
   }
 
   // Finer disparities and larger motion tiles, where `asked` leaves that open.
@@ -99,24 +95,11 @@ class CodingSearch {
     if (asked.motion_tile == 0) attempt(tried);
   }
 
-  // Finds the weight of key images: a factor that goes up or down as long as that is cheaper.
-  void find_key_weight(const ExtendedParams& asked) {
-    if (!effort_.more || asked.key_weight != 0) return;
-    for (const double factor : {kWeightStep, 1 / kWeightStep}) {
-      for (;;) {
-        EncodeParams tried = best_;
-        tried.extended.key_weight = factor * best_.extended.key_weight;
-        if (tried.extended.key_weight > 4 || tried.extended.key_weight < 0.25) break;
-        if (!attempt(tried)) break;
-      }
-    }
-  }
-
   const EncodeParams& best() const { return best_; }
 
-  // By how much its quality is above that of `goal`, as far as trials can say; 0 without one.
-  double quality_off(const EncodeGoal* goal) const {
-    return goal == nullptr ? 0 : goal->surplus_db(psnr_db(), best_result_.bits / 8) / kDbPerQuality;
+  // By how much it exceeds `goal`, as far as trials can say; 0 without one.
+  double surplus_db(const EncodeGoal* goal) const {
+    return goal == nullptr ? 0 : goal->surplus_db(psnr_db(), best_result_.bits / 8);
   }
 
  private:
@@ -203,6 +186,25 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
   return costly ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
+// The qualities next to the one that meets a goal, as trials say.
+class QualityBracket {
+ public:
+  // Returns the next quality to try after `quality`, with which the goal is exceeded by `surplus`.
+  double next(double quality, double surplus) {
+    (surplus >= 0 ? fine_ : coarse_) = {quality, surplus};
+    double next = quality - surplus / kDbPerQuality;
+    if (fine_ && coarse_) {
+      const double share = coarse_->second / (coarse_->second - fine_->second);
+      next = coarse_->first + (fine_->first - coarse_->first) * share;
+    }
+    return std::round(std::clamp(next, 0.0, 100.0) * 8) / 8;
+  }
+
+ private:
+  std::optional<std::pair<double, double>> fine_;    // at or above the goal
+  std::optional<std::pair<double, double>> coarse_;  // below it
+};
+
 // Settles by trial what is open in `asked`; for a target the quality, too.
 void search_coding(const LightFieldShape& shape, const ViewProvider& part,
                    const EncodeParams& asked, const EncodeGoal* goal, const Progress& progress,
@@ -210,20 +212,21 @@ void search_coding(const LightFieldShape& shape, const ViewProvider& part,
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
+  QualityBracket bracket;
   for (int round = 0; round < kMaxRounds; ++round) {
     CodingSearch search(shape, part, found, settled.probe, progress);
-    const bool far = round == 0 && std::abs(search.quality_off(goal)) > kNearQuality;
+    const double first = search.surplus_db(goal);
+    const bool far = round == 0 && std::abs(first) > kNearQuality * kDbPerQuality;
     if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
       if (open_groups) search.find_groups();
       search.find_grid(asked.extended);
-      search.find_key_weight(asked.extended);
       searched = found.extended.quality;
     }
     found = search.best();
     if (goal == nullptr) break;
-    const double quality = found.extended.quality - search.quality_off(goal);
+    const double quality = bracket.next(found.extended.quality, search.surplus_db(goal));
     const double moved = std::abs(quality - found.extended.quality);
-    found.extended.quality = std::round(std::clamp(quality, 0.0, 100.0) * 8) / 8;
+    found.extended.quality = quality;
     if (moved < kNextQuality) break;
   }
 }
@@ -243,7 +246,6 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   }
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
   if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
-  if (found.extended.key_weight == 0) found.extended.key_weight = 1;
   if (!found.chroma) found.chroma = chroma_for(views, found, goal);
   const auto header = header_for(shape, found);
   if (!header || params.profile == Profile::kMain) return settled;
