@@ -44,7 +44,7 @@ int64_t CellErrors::of_first_symbol() {
 }
 
 void CellErrors::run(int32_t* errors, size_t stride) {
-  of_first_symbol();
+  if (!sources_.keyed) of_first_symbol();
   const unsigned references = sources_.two_references() ? 4 : 1;
   for (unsigned choice = 1; choice <= task_.choices; ++choice) {
     for (uint32_t i = 0; i < cells_; ++i) {

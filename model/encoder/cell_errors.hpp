@@ -55,11 +55,12 @@ class CellErrors {
   int32_t bound_;
   uint32_t side_;  // of a cell, 4 or 8
   uint32_t gx_ = 0, gy_ = 0, cells_ = 0;
-  uint32_t columns_ = 0, rows_ = 0;                       // of samples
-  Samples minus_{};                                       // the target with the other sign
-  std::array<Samples, 4> predicted_{};                    // from K0 to K3
-  std::array<uint32_t, kSets * kSquares> squares_{};      // [set][square]
-  std::array<int32_t, kSquares> first_{};                 // by cell, of the first symbol
+  uint32_t columns_ = 0, rows_ = 0;                   // of samples
+  Samples minus_{};                                   // the target with the other sign
+  std::array<Samples, 4> predicted_{};                // from K0 to K3
+  std::array<uint32_t, kSets * kSquares> squares_{};  // [set][square]
+  std::array<int32_t, kSquares>
+      first_{};  // by cell, of the first symbol, which is none where levels are not keyed
   std::array<std::array<OfCell, kSquares>, 10> known_{};  // [choice][cell]
 };
 

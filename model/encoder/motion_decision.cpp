@@ -1,7 +1,7 @@
 #include "encoder/motion_decision.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/rounding.hpp"
@@ -23,26 +23,30 @@ struct BlockErrors {
   size_t count() const { return size_t{columns} * rows; }
 };
 
-// The cheapest palette of one tile with blocks of one size, built one symbol at a time.
+// The cheapest palette of one tile with blocks of one size, built one symbol at a time, if its cost
+// is below `most`.
 class PaletteDecision {
  public:
   PaletteDecision(const BlockErrors& blocks, const std::vector<PaletteEntry>& symbols,
-                  const PaletteFields& fields, Lambda lambda)
+                  const PaletteFields& fields, Lambda lambda, int64_t most)
       : blocks_(blocks),
         symbols_(symbols),
         entry_bits_(palette_entry_bits(fields)),
         lambda_(lambda),
         count_(blocks.count()),
-        least_(count_, (1 << 30) / static_cast<int32_t>(count_)) {}
+        least_(count_, (1 << 30) / static_cast<int32_t>(count_)),
+        best_cost_(most) {}
 
   void run() {
+    std::vector<int32_t> floor = least_;
+    for (size_t s = 0; s < symbols_.size(); ++s) lower(floor, s);
     // One more symbol may pay only together with the next one, as level counts grow in steps: the
-    // search goes on while symbols reduce the error.
+    // search goes on while symbols reduce the error, and all of them could.
     while (palette_.size() < std::min(kMaxPaletteEntries, symbols_.size())) {
-      if (!add_best()) break;
-      const int64_t cost = cost_now();
-      if (cost < best_cost_) {
-        best_cost_ = cost;
+      if (cost(floor, palette_.size() + 1) >= best_cost_ || !add_best()) break;
+      const int64_t now = cost(least_, palette_.size());
+      if (now < best_cost_) {
+        best_cost_ = now;
         best_size_ = palette_.size();
       }
     }
@@ -81,17 +85,21 @@ class PaletteDecision {
     }
     if (best == symbols_.size()) return false;
     palette_.push_back(best);
-    for (size_t b = 0; b < count_; ++b) least_[b] = std::min(least_[b], errors(best)[b]);
+    lower(least_, best);
     return true;
   }
 
-  int64_t cost_now() const {
-    int64_t error = 0;
-    for (const int32_t least : least_) error += least;
-    const auto size = static_cast<uint32_t>(palette_.size());
+  void lower(std::vector<int32_t>& least, size_t symbol) const {
+    const int32_t* of_symbol = errors(symbol);
+    for (size_t b = 0; b < count_; ++b) least[b] = std::min(least[b], of_symbol[b]);
+  }
+
+  int64_t cost(const std::vector<int32_t>& errors, size_t entries) const {
+    const auto size = static_cast<uint32_t>(entries);
     const auto bits = static_cast<int64_t>(kMotionHeadBits + size * entry_bits_ +
                                            bise_bits(levels_of_code(level_code_for(size)), count_));
-    return lambda_.cost(error, bits + kTileOverheadBits);
+    return lambda_.cost(std::accumulate(errors.begin(), errors.end(), int64_t{0}),
+                        bits + kTileOverheadBits);
   }
 
   const BlockErrors& blocks_;
@@ -101,7 +109,7 @@ class PaletteDecision {
   size_t count_;
   std::vector<int32_t> least_;
   std::vector<size_t> palette_;
-  int64_t best_cost_ = std::numeric_limits<int64_t>::max();
+  int64_t best_cost_;
   size_t best_size_ = 0;
 };
 
@@ -132,7 +140,7 @@ class TileDecision {
     const unsigned last = std::min<unsigned>(kMaxMotionLog2, header_.motion_tile_log2);
     for (unsigned log2 = std::max<unsigned>(grid_log2, header_.block_log2); log2 <= last; ++log2) {
       const BlockErrors blocks = merged(log2 - grid_log2);
-      PaletteDecision palette(blocks, symbols_, fields_, lambda_);
+      PaletteDecision palette(blocks, symbols_, fields_, lambda_, least);
       palette.run();
       if (palette.cost() >= least) continue;
       least = palette.cost();

@@ -49,11 +49,10 @@ class ResidualEncoder {
       return encoded_.code.append({});
     }
     context_.blocks_inside = blocks_inside(shape_, tx, ty);
-    std::vector<BlockValues> differences(kBlocksPerTile, BlockValues(size_));
     for (unsigned k = 0; k < kBlocksPerTile; ++k) {
-      if (has_bit(context_.blocks_inside, k)) differences[k] = difference(tx, ty, k);
+      if (has_bit(context_.blocks_inside, k)) subtract(tx, ty, k, differences_[k]);
     }
-    const ResidualTile tile = decide_residuals(differences, context_, rules_);
+    const ResidualTile tile = decide_residuals(differences_, context_, rules_);
     encoded_.code.append(write_residual_tile(tile, context_));
     size_t m = 0;
     for (unsigned k = 0; k < kBlocksPerTile; ++k) {
@@ -83,18 +82,17 @@ class ResidualEncoder {
   uint32_t top(uint32_t ty, unsigned k) const { return (ty * kTileBlocks + block_row(k)) * size_; }
 
   // 0 outside the plane, where values have no meaning.
-  BlockValues difference(uint32_t tx, uint32_t ty, unsigned k) const {
-    BlockValues block(size_);
+  void subtract(uint32_t tx, uint32_t ty, unsigned k, BlockValues& block) const {
+    const uint32_t x = left(tx, k);
     for (unsigned j = 0; j < size_; ++j) {
       const uint32_t y = top(ty, k) + j;
+      const int16_t* original = original_.row(y).data() + x;
+      const int16_t* prediction = prediction_.row(y).data() + x;
       for (unsigned i = 0; i < size_; ++i) {
-        const uint32_t x = left(tx, k) + i;
-        if (x < shape_.width && y < shape_.height) {
-          block.at(i, j) = original_.at(x, y) - prediction_.at(x, y);
-        }
+        const bool inside = x + i < shape_.width && y < shape_.height;
+        block.at(i, j) = inside ? original[i] - prediction[i] : 0;
       }
     }
-    return block;
   }
 
   void add(uint32_t tx, uint32_t ty, unsigned k, const BlockValues& values) {
@@ -119,6 +117,7 @@ class ResidualEncoder {
   const SamplePlane& prediction_;
   const ResidualRules& rules_;
   TileContext context_;
+  std::vector<BlockValues> differences_{kBlocksPerTile, BlockValues(size_)};
   ResidualPlane encoded_;
 };
 
