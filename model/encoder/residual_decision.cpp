@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "arithmetic/bise.hpp"
@@ -72,11 +73,11 @@ class HeadSearch {
   bool collect() {
     const int64_t least = lambda_.cost(0, kMaskBitsPerBlock);
     const int64_t head = lambda_.cost(0, kLeastResidualBits);
-    std::array<int64_t, kBlocks> worth{};  // what a block could save, if its residual were free
+    std::array<int64_t, kBlocks> worth{};  // what a block could save at most
     int64_t most = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (!has_bit(context_.blocks_inside, static_cast<unsigned>(k))) continue;
-      worth[k] = std::max<int64_t>(0, lambda_.cost(energy(differences_[k]), 0) - least);
+      worth[k] = std::max<int64_t>(0, most_saved(differences_[k]) - least);
       most += worth[k];
     }
     if (most <= head) return false;
@@ -97,6 +98,15 @@ class HeadSearch {
       candidates_.push_back(std::move(candidate));
     }
     return most > head;
+  }
+
+  // By one level, which takes the mean away and no bits, or by more of them, which take some.
+  int64_t most_saved(const BlockValues& block) const {
+    const auto values = block.span();
+    const int64_t sum = std::accumulate(values.begin(), values.end(), int64_t{0});
+    const auto bits = static_cast<int64_t>(bise_bits(levels_of_code(1), block.size()));
+    return std::max(lambda_.cost(sum * sum / static_cast<int64_t>(block.size()) + 1, 0),
+                    lambda_.cost(energy(block), -bits));
   }
 
   // All level_base and level_bits with steps [step, step + 2^step_bits - 1] and one bias width.
