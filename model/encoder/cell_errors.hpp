@@ -59,8 +59,8 @@ class CellErrors {
   Samples minus_{};                                   // the target with the other sign
   std::array<Samples, 4> predicted_{};                // from K0 to K3
   std::array<uint32_t, kSets * kSquares> squares_{};  // [set][square]
-  std::array<int32_t, kSquares>
-      first_{};  // by cell, of the first symbol, which is none where levels are not keyed
+  // By cell, of the first symbol, which is none where levels are not keyed.
+  std::array<int32_t, kSquares> first_{};
   std::array<std::array<OfCell, kSquares>, 10> known_{};  // [choice][cell]
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <numeric>
 #include <utility>
 
@@ -84,7 +85,7 @@ class HeadSearch {
     most = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (worth[k] == 0) continue;
-      Candidate candidate{k, {differences_[k], lambda_}, {}};
+      Candidate& candidate = candidates_.emplace_back(Candidate{k, {differences_[k], lambda_}, {}});
       candidate.costs.resize(steps_);
       int64_t best = kNever;
       for (unsigned s = 0; s < steps_; ++s) {
@@ -93,9 +94,9 @@ class HeadSearch {
           best = std::min(best, *std::min_element(row.begin(), row.end()));
         }
       }
-      if (best + least >= candidate.weighed.zero()) continue;
-      most += candidate.weighed.zero() - best - least;
-      candidates_.push_back(std::move(candidate));
+      const int64_t saved = candidate.weighed.zero() - best - least;
+      if (saved <= 0) candidates_.pop_back();
+      most += std::max<int64_t>(0, saved);
     }
     return most > head;
   }
@@ -205,7 +206,7 @@ class HeadSearch {
   Lambda lambda_;
   unsigned first_step_;
   unsigned steps_;
-  std::vector<Candidate> candidates_;
+  std::deque<Candidate> candidates_;
   int64_t best_gain_ = 0;
   Head best_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -186,25 +185,6 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
   return costly ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
-// The qualities next to the one that meets a goal, as trials say.
-class QualityBracket {
- public:
-  // Returns the next quality to try after `quality`, with which the goal is exceeded by `surplus`.
-  double next(double quality, double surplus) {
-    (surplus >= 0 ? fine_ : coarse_) = {quality, surplus};
-    double next = quality - surplus / kDbPerQuality;
-    if (fine_ && coarse_) {
-      const double share = coarse_->second / (coarse_->second - fine_->second);
-      next = coarse_->first + (fine_->first - coarse_->first) * share;
-    }
-    return std::round(std::clamp(next, 0.0, 100.0) * 8) / 8;
-  }
-
- private:
-  std::optional<std::pair<double, double>> fine_;    // at or above the goal
-  std::optional<std::pair<double, double>> coarse_;  // below it
-};
-
 // Settles by trial what is open in `asked`; for a target the quality, too.
 void search_coding(const LightFieldShape& shape, const ViewProvider& part,
                    const EncodeParams& asked, const EncodeGoal* goal, const Progress& progress,
@@ -212,7 +192,8 @@ void search_coding(const LightFieldShape& shape, const ViewProvider& part,
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
-  QualityBracket bracket;
+  std::pair<double, double> ends[2];  // nearest to the goal, below and above it: quality, surplus
+  bool known[2] = {false, false};
   for (int round = 0; round < kMaxRounds; ++round) {
     CodingSearch search(shape, part, found, settled.probe, progress);
     const double first = search.surplus_db(goal);
@@ -224,10 +205,18 @@ void search_coding(const LightFieldShape& shape, const ViewProvider& part,
     }
     found = search.best();
     if (goal == nullptr) break;
-    const double quality = bracket.next(found.extended.quality, search.surplus_db(goal));
-    const double moved = std::abs(quality - found.extended.quality);
-    found.extended.quality = quality;
-    if (moved < kNextQuality) break;
+    const double tried = found.extended.quality;
+    const double surplus = search.surplus_db(goal);
+    const auto& [coarse, fine] = ends;
+    known[surplus >= 0] = true;
+    ends[surplus >= 0] = {tried, surplus};
+    double next = tried - surplus / kDbPerQuality;
+    if (known[0] && known[1]) {
+      next = coarse.first +
+             (fine.first - coarse.first) * (coarse.second / (coarse.second - fine.second));
+    }
+    found.extended.quality = std::round(std::clamp(next, 0.0, 100.0) * 8) / 8;
+    if (std::abs(found.extended.quality - tried) < kNextQuality) break;
   }
 }
 
