@@ -20,7 +20,7 @@ constexpr uint32_t kRowsApart = 2;
 constexpr uint32_t kFewRows = 12;
 // A tile's disparities are looked for where a coarse look at some targets finds some.
 constexpr int32_t kCoarseStep = 3;
-constexpr int32_t kCoarseMargin = 4;
+constexpr int32_t kCoarseMargin = 2;
 constexpr size_t kCoarseTargets = 3;
 // So many targets make up for what each of them does not see.
 constexpr size_t kManyTargets = 12;

@@ -141,7 +141,9 @@ class TargetSearch {
   }
 
   bool is_near(const Attempt& attempt) const {
-    return goal_.is_met(attempt.surplus_db) && std::abs(attempt.surplus_db) < goal_.tolerance_db();
+    // Where PSNR moves in large steps, a search would go on for little.
+    const double near = goal_.tolerance_db() * (goal_.is_least() ? 1 + attempts_ / 4 : 1);
+    return goal_.is_met(attempt.surplus_db) && std::abs(attempt.surplus_db) < near;
   }
 
   // Aims at the middle of what is near enough.
@@ -181,6 +183,7 @@ class TargetSearch {
     const bool met = goal_.is_met(surplus);
     const bool is_fine = met == goal_.is_least();
     (is_fine ? fine_ : coarse_) = Attempt{coarseness, surplus};
+    ++attempts_;
     times_in_row_ = is_fine == last_is_fine_ ? times_in_row_ + 1 : 1;
     last_is_fine_ = is_fine;
     if (met || !any_met_) best_ = std::move(stream);
@@ -196,6 +199,7 @@ class TargetSearch {
   std::optional<Attempt> coarse_;  // the finest so far that is not
   EncodedStream best_;             // the last that meets the target, else the last
   bool any_met_ = false;
+  int attempts_ = 0;
   bool last_is_fine_ = false;
   int times_in_row_ = 0;  // that attempts ended there
   double last_off_ = 0;   // the surplus that farther() began with before, 0 at first
