@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <utility>
 
 namespace hmlfc {
@@ -24,13 +25,14 @@ double between(double a, double b, double share) { return a * std::pow(b / a, sh
 
 }  // namespace
 
+int64_t squared_error(const SamplePlane& a, const SamplePlane& b) {
+  return std::transform_reduce(a.samples.begin(), a.samples.end(), b.samples.begin(), int64_t{0},
+                               std::plus<>(),
+                               [](int32_t x, int32_t y) { return int64_t{x - y} * (x - y); });
+}
+
 double mean_squared_error(const SamplePlane& a, const SamplePlane& b) {
-  int64_t squares = 0;
-  for (size_t i = 0; i < a.samples.size(); ++i) {
-    const int64_t error = a.samples[i] - b.samples[i];
-    squares += error * error;
-  }
-  return static_cast<double>(squares) / static_cast<double>(a.samples.size());
+  return static_cast<double>(squared_error(a, b)) / static_cast<double>(a.samples.size());
 }
 
 KeyCurve::KeyCurve(SamplePlane plane, int steps, SamplePrecision precision, KeyMeasure measure)

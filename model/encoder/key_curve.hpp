@@ -30,6 +30,7 @@ struct KeyErrors {
 using KeyMeasure = std::function<KeyErrors(const SamplePlane& decoded)>;
 
 /// Of two planes of one size.
+int64_t squared_error(const SamplePlane& a, const SamplePlane& b);
 double mean_squared_error(const SamplePlane& a, const SamplePlane& b);
 
 /// Bits against error of one plane in JPEG 2000, measured at a few errors and interpolated between
@@ -37,9 +38,6 @@ double mean_squared_error(const SamplePlane& a, const SamplePlane& b);
 /// measured once. Not thread-safe.
 class KeyCurve {
  public:
-  /// An empty curve: nothing else must be called.
-  KeyCurve() = default;
-
   /// Of `plane`, refined in so many steps. The other functions throw std::bad_alloc.
   KeyCurve(SamplePlane plane, int steps, SamplePrecision precision, KeyMeasure measure);
 
@@ -67,7 +65,7 @@ class KeyCurve {
   const Measured& measured(int point) const;
 
   SamplePlane plane_;
-  int steps_ = 0;
+  int steps_;
   SamplePrecision precision_;
   KeyMeasure measure_;
   mutable std::map<int, std::vector<uint8_t>>

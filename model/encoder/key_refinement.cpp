@@ -9,6 +9,7 @@
 #include "arithmetic/rounding.hpp"
 #include "bits/parallel.hpp"
 #include "encoder/error_kernels.hpp"
+#include "encoder/key_curve.hpp"
 #include "encoder/motion_prediction.hpp"
 
 namespace hmlfc {
@@ -54,7 +55,7 @@ class PlaneRefinement {
       weights_.assign(size, 0);
       left_ = 0;
       for (const RefinementTarget& target : task_.targets) add(target, reference);
-      const int64_t sum = left_ + own_weight_ * own_error() / (kWeight * kTapSum);
+      const int64_t sum = left_ + own_weight_ * squared_error(key_, view_) / (kWeight * kTapSum);
       if (step == 0) unrefined = sum;
       if (step == 1 && sum > unrefined - unrefined / kLeastGainDivisor) {
         key_ = view_;
@@ -102,16 +103,6 @@ class PlaneRefinement {
   // In a plane with padding.
   size_t index(int64_t x, int64_t y) const {
     return static_cast<size_t>((y + pad_) * stride_ + x + pad_);
-  }
-
-  // The squared error of the key image against its view.
-  int64_t own_error() const {
-    int64_t sum = 0;
-    for (size_t k = 0; k < key_.samples.size(); ++k) {
-      const int64_t error = key_.samples[k] - view_.samples[k];
-      sum += error * error;
-    }
-    return sum;
   }
 
   // Calls work(area, disparity) for grid blocks next to each other that have one disparity.

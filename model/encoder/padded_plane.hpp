@@ -34,8 +34,6 @@ class PaddedPlane {
     return samples_.data() + static_cast<ptrdiff_t>((y + before_) * stride_ + x + before_);
   }
   ptrdiff_t stride() const { return stride_; }
-  const int16_t* data() const { return samples_.data(); }
-  size_t size() const { return samples_.size(); }
 
  private:
   ptrdiff_t before_;

@@ -29,23 +29,13 @@ constexpr double kNearQuality = 8;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
 
-// How much is tried.
-struct TrialEffort {
-  size_t images;
-  bool grid;  // also finer disparities and larger motion tiles
-};
-
-TrialEffort trial_effort(Preset preset) {
-  switch (preset) {
-    case Preset::kFast:
-      return {6, false};
-    case Preset::kSlow:
-      return {32, true};
-    case Preset::kMedium:
-      break;
-  }
-  return {10, true};
+// Images that a trial codes.
+size_t trial_images(Preset preset) {
+  return preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 10 : 32;
 }
+
+// Whether finer disparities and larger motion tiles are tried, too.
+bool tries_grids(const EncodeParams& params) { return params.extended.preset != Preset::kFast; }
 
 // Sizes of groups that cut a line of `count` views into different numbers of groups, ascending.
 std::vector<uint32_t> group_sizes(uint32_t count) {
@@ -67,7 +57,6 @@ class CodingSearch {
         part_(part),
         probe_(probe),
         progress_(progress),
-        effort_(trial_effort(params.extended.preset)),
         lambda_(lambda_of_quality(params.extended.quality)),
         rows_(group_sizes(shape.rows)),
         cols_(group_sizes(shape.cols)),
@@ -85,7 +74,7 @@ class CodingSearch {
 
   // Finer disparities and larger motion tiles, where `asked` leaves that open.
   void find_grid(const ExtendedParams& asked) {
-    if (!effort_.grid) return;
+    if (!tries_grids(best_)) return;
     EncodeParams tried = best_;
     tried.extended.disparity_grid = 4;
     if (asked.disparity_grid == 0 && best_.block_size <= 4) attempt(tried);
@@ -110,7 +99,7 @@ class CodingSearch {
 
   TrialResult trial(const EncodeParams& params) const {
     if (progress_) progress_(0, uint64_t{shape_.rows} * shape_.cols);
-    return try_coding(shape_, part_, params, probe_, effort_.images);
+    return try_coding(shape_, part_, params, probe_, trial_images(params.extended.preset));
   }
 
   bool attempt(const EncodeParams& params) {
@@ -143,7 +132,6 @@ class CodingSearch {
   const ViewProvider& part_;
   const LightFieldProbe& probe_;
   const Progress& progress_;
-  TrialEffort effort_;
   Lambda lambda_;
   std::vector<uint32_t> rows_;
   std::vector<uint32_t> cols_;
@@ -244,8 +232,7 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
     return settled;
   }
   const bool open_grid = params.extended.disparity_grid == 0 || params.extended.motion_tile == 0;
-  if (!open_groups && goal == nullptr &&
-      !(open_grid && trial_effort(params.extended.preset).grid)) {
+  if (!open_groups && goal == nullptr && !(open_grid && tries_grids(params))) {
     return settled;
   }
   search_coding(shape, part, params, goal, progress, settled);
