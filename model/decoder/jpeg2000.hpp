@@ -15,6 +15,12 @@ struct SamplePrecision {
   bool is_signed = false;
 };
 
+/// That of plane `plane` where views have `depth` bits (KEY-2).
+constexpr SamplePrecision precision_of(Plane plane, int depth) {
+  const bool chroma = plane != Plane::kY;
+  return {depth + (chroma ? 1 : 0), chroma};
+}
+
 /// How a codestream is coded, as far as KEY-2 leaves it free.
 struct CodestreamOptions {
   unsigned style = 0;        ///< of code-blocks: bits 0..5 of COD

@@ -155,8 +155,7 @@ Result<SamplePlane> KeyImages::decode(uint64_t entry) const {
   if (!codestream) return tl::unexpected(codestream.error());
   const PlaneShape& shape = stream_.geometry.plane(plane);
   if (stream_.reads != nullptr) stream_.reads->on_key_plane(shape.samples());
-  const bool chroma = plane != Plane::kY;
-  const SamplePrecision precision{stream_.header.depth + (chroma ? 1 : 0), chroma};
+  const SamplePrecision precision = precision_of(plane, stream_.header.depth);
   if (!has_key_image_head(*codestream, shape.width, shape.height, precision)) {
     return stream_.error(ErrorCode::kBadTopImage, Section::kTop, place->offset);
   }

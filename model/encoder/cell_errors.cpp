@@ -1,127 +1,131 @@
 #include "encoder/cell_errors.hpp"
 
-#include <algorithm>
-
 namespace hmlfc {
 
 CellErrors::CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
     : task_(task),
-      estimate_(task.lambda),
       sources_(task.sources),
       symbols_(symbols),
-      sets_(task.sources.two_references() ? 8 : 1),
-      size_(1 << sources_.header.disparity_grid_log2),
-      bound_(reference_bound(Plane::kY, sources_.header.depth, sources_.keyed)) {}
+      estimate_(task.lambda),
+      bound_(reference_bound(Plane::kY, sources_.header.depth, sources_.keyed)),
+      side_(1u << sources_.header.disparity_grid_log2) {}
 
-void CellErrors::run(uint32_t gx, uint32_t gy, int64_t* errors) {
-  area_ = {static_cast<int32_t>(gx) * size_, static_cast<int32_t>(gy) * size_, 0, 0};
-  area_.width = std::min(size_, static_cast<int32_t>(sources_.header.width) - area_.x);
-  area_.height = std::min(size_, static_cast<int32_t>(sources_.header.height) - area_.y);
-  load_target();
-  known_.clear();
-  for (size_t s = 0; s < symbols_.size(); ++s) {
-    const PaletteEntry& symbol = symbols_[s];
-    if (symbol.choice == kChoiceNone) {
-      errors[s] = left_by(nullptr, false);
-      continue;
+void CellErrors::go_to(uint32_t gx, uint32_t gy, uint32_t count) {
+  gx_ = gx;
+  gy_ = gy;
+  cells_ = count;
+  columns_ = std::min(count * side_, sources_.header.width - gx * side_);
+  rows_ = std::min(side_, sources_.header.height - gy * side_);
+  for (uint32_t y = 0; y < rows_ && !sources_.keyed; ++y) {
+    const SquareRow row = squares_at(0, count, y, false);
+    for (uint32_t x = 0; x < columns_; ++x) {
+      minus_[y * kMaxColumns + x] = static_cast<int16_t>(-row.target[x]);
     }
-    const int32_t d = sources_.disparity(gx, gy, symbol.choice);
-    errors[s] = of_disparity(d)[symbol.reference_set + (symbol.negative ? 8u : 0u)];
   }
 }
 
-void CellErrors::load_target() {
-  int16_t* out = target_.data();
-  for (int32_t j = 0; j < area_.height; ++j) {
-    const int16_t* row = task_.target.row(static_cast<uint32_t>(area_.y + j)).data() + area_.x;
-    for (int32_t i = 0; i < area_.width; ++i) *out++ = row[i];
+int64_t CellErrors::of_first_symbol() {
+  const PaletteEntry& symbol = symbols_.front();
+  if (symbol.choice == kChoiceNone) predicted_[0].fill(0);
+  for (uint32_t i = 0; i < cells_ && symbol.choice != kChoiceNone;) {
+    i = predict(references_of_set(symbol.reference_set), i, symbol.choice, predicted_[0]);
   }
-}
-
-// left_by() for a cell of known size, which compilers turn into vectors.
-template <int kSide>
-int64_t CellErrors::left_of_whole(const int16_t* prediction) const {
-  std::array<int32_t, size_t{kSide}> columns{};
   int64_t sum = 0;
-  for (int y = 0; y < kSide; y += 4) {
-    columns.fill(0);
-    for (int k = y * kSide; k < (y + 4) * kSide; k += kSide) {
-      for (int x = 0; x < kSide; ++x) {
-        const int32_t error = target_[size_t(k + x)] - prediction[k + x];
-        columns[size_t(x)] += error * error;
+  first_.fill(0);
+  for (uint32_t y = 0; y < rows_; y += 4) {
+    square_errors(squares_at(0, cells_, y, false), &predicted_[0][y * kMaxColumns],
+                  squares_.data());
+    for (uint32_t k = 0; k < ceil_div(columns_, 4u); ++k) {
+      first_[4 * k / side_] += estimate(squares_[k]);
+      sum += estimate(squares_[k]);
+    }
+  }
+  return sum;
+}
+
+void CellErrors::run(int32_t* errors, size_t stride) {
+  if (!sources_.keyed) of_first_symbol();
+  const unsigned references = sources_.two_references() ? 4 : 1;
+  for (unsigned choice = 1; choice <= task_.choices; ++choice) {
+    for (uint32_t i = 0; i < cells_; ++i) {
+      const unsigned alike = first_alike(i, choice);
+      known_[choice][i] = known_[alike][i];
+      const uint32_t first = i;
+      for (uint32_t next = i; i < cells_ && first_alike(i, choice) == choice; i = next) {
+        for (uint8_t k = 0; k < references; ++k) {
+          next = predict({1, {k, k}}, i, choice, predicted_[k]);
+        }
+      }
+      if (i == first) continue;
+      evaluate(first, i, choice, false);
+      if (!sources_.keyed) evaluate(first, i, choice, true);
+      --i;
+    }
+  }
+  for (const PaletteEntry& symbol : symbols_) {
+    const size_t which = symbol.reference_set + (symbol.negative ? kSets : 0);
+    for (uint32_t i = 0; i < cells_; ++i) {
+      errors[i] = symbol.choice == kChoiceNone ? first_[i] : known_[symbol.choice][i][which];
+    }
+    errors += stride;
+  }
+}
+
+// The first choice that has the disparity of `choice` in a cell.
+unsigned CellErrors::first_alike(uint32_t cell, unsigned choice) const {
+  unsigned alike = 1;
+  while (disparity(cell, alike) != disparity(cell, choice)) ++alike;
+  return alike;
+}
+
+// Predicts the cells from `first` on that have one disparity, which no choice before has; returns
+// where they end. For two references, the mean of their rounded predictions is near enough to
+// decide on.
+uint32_t CellErrors::predict(const ReferenceSet& refs, uint32_t first, unsigned choice,
+                             Samples& out) const {
+  const int32_t d = disparity(first, choice);
+  uint32_t end = first + 1;
+  while (end < cells_ && disparity(end, choice) == d && first_alike(end, choice) == choice) ++end;
+  std::array<DisplacedReference, 2> parts;
+  for (size_t i = 0; i < refs.count; ++i) {
+    const size_t k = refs.reference[i];
+    parts[i] = displaced(*task_.references[k], static_cast<int32_t>((gx_ + first) * side_),
+                         static_cast<int32_t>(gy_ * side_), sources_.vector(k, d, false));
+  }
+  interpolate_rect(parts, refs.count, bound_,
+                   {&out[first * side_], kMaxColumns, columns(first, end), rows_});
+  return end;
+}
+
+SquareRow CellErrors::squares_at(uint32_t first, uint32_t end, uint32_t y, bool negative) const {
+  const int16_t* plus = task_.target.row(gy_ * side_ + y).data() + (gx_ + first) * side_;
+  return {negative ? &minus_[y * kMaxColumns + first * side_] : plus,
+          negative ? kMaxColumns : task_.target.width, kMaxColumns, columns(first, end),
+          std::min(4u, rows_ - y)};
+}
+
+// Weighs cells that are predicted, or the other sign of their predictions.
+void CellErrors::evaluate(uint32_t first, uint32_t end, unsigned choice, bool negative) {
+  OfCell* cells = &known_[choice][first];
+  const unsigned sets = sources_.two_references() ? kSets : 1;
+  const size_t begin = negative ? kSets : 0;
+  for (uint32_t i = 0; i < end - first; ++i) std::fill_n(cells[i].begin() + begin, sets, 0);
+  for (uint32_t y = 0; y < rows_; y += 4) {
+    const SquareRow row = squares_at(first, end, y, negative);
+    const size_t at = y * kMaxColumns + first * side_;
+    if (sets == 1) {
+      square_errors(row, &predicted_[0][at], squares_.data());
+    } else {
+      set_errors(row,
+                 {&predicted_[0][at], &predicted_[1][at], &predicted_[2][at], &predicted_[3][at]},
+                 squares_.data(), kSquares);
+    }
+    for (uint32_t k = 0; k < ceil_div(row.columns, 4u); ++k) {
+      OfCell& cell = cells[4 * k / side_];
+      for (size_t set = 0; set < sets; ++set) {
+        cell[begin + set] += estimate(squares_[set * kSquares + k]);
       }
     }
-    for (size_t x = 0; x < kSide; x += 4) {
-      sum += estimate_(columns[x] + columns[x + 1] + columns[x + 2] + columns[x + 3]);
-    }
-  }
-  return sum;
-}
-
-// `prediction` may be null: 0.
-int64_t CellErrors::left_by(const int16_t* prediction, bool negative) const {
-  const bool whole = area_.width == area_.height && prediction != nullptr && !negative;
-  if (whole && area_.width == 8) return left_of_whole<8>(prediction);
-  if (whole && area_.width == 4) return left_of_whole<4>(prediction);
-  int64_t sum = 0;
-  for (int32_t y = 0; y < area_.height; y += 4) {
-    for (int32_t x = 0; x < area_.width; x += 4) {
-      sum += estimate_(squares(prediction, negative, x, y));
-    }
-  }
-  return sum;
-}
-
-// The squared error of the 4x4 samples from (x, y) on that lie inside.
-int64_t CellErrors::squares(const int16_t* prediction, bool negative, int32_t x, int32_t y) const {
-  int32_t sum = 0;
-  for (int32_t j = y; j < std::min(y + 4, area_.height); ++j) {
-    for (int32_t i = x; i < std::min(x + 4, area_.width); ++i) {
-      const size_t k =
-          static_cast<size_t>(j) * static_cast<size_t>(area_.width) + static_cast<size_t>(i);
-      const int32_t p = prediction == nullptr ? 0 : negative ? -prediction[k] : prediction[k];
-      const int32_t error = target_[k] - p;
-      sum += error * error;
-    }
-  }
-  return sum;
-}
-
-// Each reference is interpolated once: for two of them, the mean of their rounded predictions is
-// near enough to decide on.
-const std::array<int64_t, 16>& CellErrors::of_disparity(int32_t d) {
-  for (const Known& known : known_) {
-    if (known.disparity == d) return known.errors;
-  }
-  Known known{d, {}};
-  for (size_t k = 0; k < (sets_ > 1 ? predicted_.size() : 1); ++k) interpolate_from(k, d);
-  for (unsigned set = 0; set < sets_; ++set) {
-    const ReferenceSet refs = references_of_set(set);
-    const CellSamples* prediction = &predicted_[refs.reference[0]];
-    if (refs.count == 2) {
-      average(predicted_[refs.reference[0]], predicted_[refs.reference[1]]);
-      prediction = &mean_;
-    }
-    known.errors[set] = left_by(prediction->data(), false);
-    if (!sources_.keyed) known.errors[set + 8] = left_by(prediction->data(), true);
-  }
-  known_.push_back(known);
-  return known_.back().errors;
-}
-
-void CellErrors::interpolate_from(size_t k, int32_t d) {
-  const DisplacedReference part =
-      displaced(*task_.references[k], area_.x, area_.y, sources_.vector(k, d, false));
-  const auto width = static_cast<unsigned>(area_.width);
-  interpolate_rect({part, {}}, 1, bound_,
-                   {predicted_[k].data(), width, width, static_cast<unsigned>(area_.height)});
-}
-
-// Halves are rounded up and down in turn, as a bias would count against two references.
-void CellErrors::average(const CellSamples& a, const CellSamples& b) {
-  for (int32_t i = 0; i < area_.samples(); ++i) {
-    const auto k = static_cast<size_t>(i);
-    mean_[k] = static_cast<int16_t>((a[k] + b[k] + (i & 1)) >> 1);
   }
 }
 

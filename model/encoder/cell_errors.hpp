@@ -1,54 +1,67 @@
-// Estimates what one grid block ("cell") leaves to the residual under every motion that is tried.
+// Estimates what grid blocks ("cells") leave to the residual under every motion that is tried.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "encoder/error_kernels.hpp"
 #include "encoder/motion_decision.hpp"
 
 namespace hmlfc {
 
-/// Evaluates the cells of one image, one after the other. Not thread-safe.
+/// Evaluates the cells of one image, those of a row of a motion tile at a time. Not thread-safe.
 class CellErrors {
  public:
   /// The arguments must outlive it. `symbols`: palette entries to try, whose choices are not
-  /// explicit.
+  /// explicit; the first is that of empty tiles.
   CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& symbols);
 
-  /// Writes the ResidualEstimate of cell (gx, gy) under each symbol to `errors`.
-  void run(uint32_t gx, uint32_t gy, int64_t* errors);
+  /// Goes to cells (gx, gy) to (gx + count - 1, gy).
+  void go_to(uint32_t gx, uint32_t gy, uint32_t count);
+
+  /// The sum of the cells' ResidualEstimates under the first symbol.
+  int64_t of_first_symbol();
+
+  /// Writes the ResidualEstimates of the cells under symbol s from errors[s * stride] on.
+  void run(int32_t* errors, size_t stride);
 
  private:
-  static constexpr size_t kMaxCellSamples = size_t{32} * 32;
-  using CellSamples = std::array<int16_t, kMaxCellSamples>;
+  static constexpr uint32_t kMaxColumns = 128;  // of a motion tile
+  static constexpr uint32_t kMaxRows = 8;       // of a cell
+  static constexpr uint32_t kSquares = kMaxColumns / 4;
+  static constexpr size_t kSets = 8;
 
-  struct Known {
-    int32_t disparity;
-    std::array<int64_t, 16> errors;
-  };
+  using Samples = std::array<int16_t, size_t{kMaxColumns} * kMaxRows>;
+  using OfCell = std::array<int32_t, 2 * kSets>;  // by reference set, of +, then of -
 
-  void load_target();
-  int64_t left_by(const int16_t* prediction, bool negative) const;
-  template <int kSide>
-  int64_t left_of_whole(const int16_t* prediction) const;
-  int64_t squares(const int16_t* prediction, bool negative, int32_t x, int32_t y) const;
-  const std::array<int64_t, 16>& of_disparity(int32_t d);
-  void interpolate_from(size_t k, int32_t d);
-  void average(const CellSamples& a, const CellSamples& b);
+  int32_t disparity(uint32_t cell, unsigned choice) const {
+    return sources_.disparity(gx_ + cell, gy_, choice);
+  }
+  uint32_t columns(uint32_t first, uint32_t end) const {
+    return std::min(end * side_, columns_) - first * side_;
+  }
+  unsigned first_alike(uint32_t cell, unsigned choice) const;
+  uint32_t predict(const ReferenceSet& refs, uint32_t first, unsigned choice, Samples& out) const;
+  SquareRow squares_at(uint32_t first, uint32_t end, uint32_t y, bool negative) const;
+  void evaluate(uint32_t first, uint32_t end, unsigned choice, bool negative);
+  int32_t estimate(uint32_t square) const { return static_cast<int32_t>(estimate_(square)); }
 
   const MotionTask& task_;
-  ResidualEstimate estimate_;
   const MotionSources& sources_;
   const std::vector<PaletteEntry>& symbols_;
-  unsigned sets_;  // reference sets there are
-  int32_t size_;
+  ResidualEstimate estimate_;
   int32_t bound_;
-  Area area_;
-  CellSamples target_;
-  std::array<CellSamples, 4> predicted_;  // from K0 to K3, with the disparity at hand
-  CellSamples mean_;
-  std::vector<Known> known_;
+  uint32_t side_;  // of a cell, 4 or 8
+  uint32_t gx_ = 0, gy_ = 0, cells_ = 0;
+  uint32_t columns_ = 0, rows_ = 0;                   // of samples
+  Samples minus_{};                                   // the target with the other sign
+  std::array<Samples, 4> predicted_{};                // from K0 to K3
+  std::array<uint32_t, kSets * kSquares> squares_{};  // [set][square]
+  // By cell, of the first symbol, which is none where levels are not keyed.
+  std::array<int32_t, kSquares> first_{};
+  std::array<std::array<OfCell, kSquares>, 10> known_{};  // [choice][cell]
 };
 
 }  // namespace hmlfc

@@ -166,7 +166,8 @@ double key_image_bits(const StreamHeader& header, const EncodeParams& params,
   for (const Plane plane : kPlanes) {
     const auto p = static_cast<size_t>(plane);
     const PlaneShape& shape = geometry.plane(plane);
-    bits += targets[p].key.bits * static_cast<double>(shape.width) * shape.height;
+    bits +=
+        targets[p].key.bits * probe.key_bits[p] * static_cast<double>(shape.width) * shape.height;
   }
   return bits;
 }

@@ -7,6 +7,7 @@
 #include "arithmetic/bise.hpp"
 #include "arithmetic/rounding.hpp"
 #include "bits/parallel.hpp"
+#include "encoder/error_kernels.hpp"
 #include "encoder/motion_prediction.hpp"
 
 namespace hmlfc {
@@ -19,7 +20,7 @@ constexpr uint32_t kRowsApart = 2;
 constexpr uint32_t kFewRows = 12;
 // A tile's disparities are looked for where a coarse look at some targets finds some.
 constexpr int32_t kCoarseStep = 3;
-constexpr int32_t kCoarseMargin = 4;
+constexpr int32_t kCoarseMargin = 2;
 constexpr size_t kCoarseTargets = 3;
 // So many targets make up for what each of them does not see.
 constexpr size_t kManyTargets = 12;
@@ -85,28 +86,10 @@ class RowCosts {
     if (two) references[1] = moved(target.second, d, y);
     interpolate_rect(references, two ? 2 : 1, search_.bound,
                      {predicted_.data(), width_, width_, y1 - y});
-    std::fill(squares_.begin(), squares_.end(), 0);
-    for (uint32_t j = 0; j < y1 - y; ++j) {
-      add_row(target.plane->row(y + j).data() + x_, predicted_.data() + size_t{j} * width_);
-    }
+    square_errors({target.plane->row(y).data() + x_, target.plane->width, width_, width_, y1 - y},
+                  predicted_.data(), squares_.data());
     const uint32_t shift = search_.grid_log2 - 2;
     for (size_t i = 0; i < squares_.size(); ++i) costs[i >> shift] += estimate_(squares_[i]);
-  }
-
-  void add_row(const int16_t* row, const int16_t* predicted) {
-    const uint32_t whole = width_ / kSquare;
-    for (uint32_t i = 0; i < whole; ++i) {
-      int32_t sum = 0;
-      for (uint32_t k = i * kSquare; k < (i + 1) * kSquare; ++k) {
-        const int32_t error = row[k] - predicted[k];
-        sum += error * error;
-      }
-      squares_[i] += sum;
-    }
-    for (uint32_t x = whole * kSquare; x < width_; ++x) {
-      const int32_t error = row[x] - predicted[x];
-      squares_[whole] += error * error;
-    }
   }
 
   DisplacedReference moved(const SearchReference& reference, int32_t d, uint32_t y) const {
@@ -125,7 +108,7 @@ class RowCosts {
   uint32_t width_;
   uint32_t blocks_x_;
   std::vector<int16_t> predicted_;  // of at most four rows
-  std::vector<int32_t> squares_;    // of four columns each
+  std::vector<uint32_t> squares_;   // of four columns each
   std::vector<int64_t> costs_;
 };
 

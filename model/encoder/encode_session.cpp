@@ -111,7 +111,6 @@ class LevelWalk {
   void encode_key(ImagePos at, Plane plane, SamplePlane& samples) {
     const PlaneShape& shape = geometry_.plane(plane);
     const int depth = walk_.header.depth;
-    const bool chroma = plane != Plane::kY;
     const uint64_t key = geometry_.key_number(images_.level(), at);
     const size_t entry = static_cast<size_t>(key) * kPlaneCount + static_cast<size_t>(plane);
     CodedKeys& keys = walk_.coded.keys;
@@ -120,7 +119,7 @@ class LevelWalk {
     SamplePlane inside = cropped(samples, shape.width, shape.height);
     std::vector<uint8_t> codestream;
     if (known && error > 0) codestream = keys.codestream(entry);
-    if (!known) codestream = code_key_plane(inside, {depth + (chroma ? 1 : 0), chroma}, error);
+    if (!known) codestream = code_key_plane(inside, precision_of(plane, depth), error);
     if (error > 0) decode_key_plane(codestream, sample_range(plane, depth), inside);
     if (!known) keys.set(entry, std::move(codestream), sample_crc(inside));
     samples = in_whole_blocks(inside, shape, geometry_.block_size());

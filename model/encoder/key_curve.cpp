@@ -2,83 +2,109 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
+#include <numeric>
+#include <utility>
 
 namespace hmlfc {
 namespace {
 
-// The errors measured: the least, the ratio of each to the one before, their number.
+// The errors that may be measured: the least, and the number of those that are each the square root
+// of two times the one before.
 constexpr double kLeastError = 0.25;
-constexpr double kErrorRatio = 1.4142135623730951;
 constexpr int kErrorCount = 21;
 // Errors tried between two of them.
 constexpr int kParts = 8;
+
+double asked_at(int point) {
+  return kLeastError * (1 << point / 2) * (point % 2 == 0 ? 1 : 1.4142135623730951);
+}
 
 // Between a and b, which are positive, on a logarithmic scale.
 double between(double a, double b, double share) { return a * std::pow(b / a, share); }
 
 }  // namespace
 
-double mean_squared_error(const SamplePlane& a, const SamplePlane& b) {
-  int64_t squares = 0;
-  for (size_t i = 0; i < a.samples.size(); ++i) {
-    const int64_t error = a.samples[i] - b.samples[i];
-    squares += error * error;
-  }
-  return static_cast<double>(squares) / static_cast<double>(a.samples.size());
+int64_t squared_error(const SamplePlane& a, const SamplePlane& b) {
+  return std::transform_reduce(a.samples.begin(), a.samples.end(), b.samples.begin(), int64_t{0},
+                               std::plus<>(),
+                               [](int32_t x, int32_t y) { return int64_t{x - y} * (x - y); });
 }
 
-KeyCurve::KeyCurve(const SamplePlane& plane, int steps, SamplePrecision precision,
-                   const KeyMeasure& measure) {
-  double asked = kLeastError;
-  for (int i = 0; i < kErrorCount; ++i, asked *= kErrorRatio) {
-    const auto coded = encode_jpeg2000_lossy(plane, precision, asked);
-    if (!coded) throw std::bad_alloc();
-    const auto decoded = decode_jpeg2000(*coded, plane.width, plane.height);
-    if (!decoded) throw std::bad_alloc();
-    const auto samples = static_cast<double>(plane.samples.size());
-    const double error = mean_squared_error(plane, *decoded);
-    points_.push_back({{asked, error, 8 * static_cast<double>(coded->size()) / samples, steps},
-                       measure(*decoded)});
-    if (error < asked / 8) break;  // nothing is left to lose
-  }
+double mean_squared_error(const SamplePlane& a, const SamplePlane& b) {
+  return static_cast<double>(squared_error(a, b)) / static_cast<double>(a.samples.size());
+}
+
+KeyCurve::KeyCurve(SamplePlane plane, int steps, SamplePrecision precision, KeyMeasure measure)
+    : plane_(std::move(plane)),
+      steps_(steps),
+      precision_(precision),
+      measure_(std::move(measure)) {}
+
+const std::vector<uint8_t>& KeyCurve::coded(int point) const {
+  auto& found = coded_[point];
+  if (!found.empty()) return found;
+  auto coded = encode_jpeg2000_lossy(plane_, precision_, asked_at(point));
+  if (!coded) throw std::bad_alloc();
+  return found = std::move(*coded);
+}
+
+const KeyCurve::Measured& KeyCurve::measured(int point) const {
+  if (const auto found = measured_.find(point); found != measured_.end()) return found->second;
+  const auto& bytes = coded(point);
+  const auto decoded = decode_jpeg2000(bytes, plane_.width, plane_.height);
+  if (!decoded) throw std::bad_alloc();
+  const double bits =
+      8 * static_cast<double>(bytes.size()) / static_cast<double>(plane_.samples.size());
+  const KeyPoint key{asked_at(point), mean_squared_error(plane_, *decoded), bits, steps_};
+  return measured_[point] = {key, measure_(*decoded)};
 }
 
 double KeyCurve::bits(double asked) const {
-  for (size_t i = 1; i < points_.size(); ++i) {
-    const KeyPoint& a = points_[i - 1].key;
-    const KeyPoint& b = points_[i].key;
-    if (asked >= b.asked) continue;
-    const double share = std::log(asked / a.asked) / std::log(b.asked / a.asked);
-    return a.bits + (b.bits - a.bits) * std::max(0.0, share);
-  }
-  return points_.back().key.bits;
+  int point = 0;
+  while (point + 2 < kErrorCount && asked >= asked_at(point + 1)) ++point;
+  const double share = std::log2(asked / asked_at(point)) * 2;
+  const auto size = [&](int at) { return static_cast<double>(coded(at).size()); };
+  double bytes = size(point);
+  if (share > 0) bytes += (size(point + 1) - bytes) * std::min(share, 1.0);
+  return 8 * bytes / static_cast<double>(plane_.samples.size());
 }
 
 KeyCurve::Priced KeyCurve::least(double weight, Lambda lambda) const {
   const double bit = static_cast<double>(lambda.scaled) / 256;
-  Priced best{points_.front().key, std::numeric_limits<double>::max()};
-  const auto attempt = [&](const KeyPoint& point, double own, double predicted) {
-    const double cost = own + weight * predicted + bit * point.bits;
-    if (cost < best.cost) best = {point, cost};
+  const auto cost = [&](const KeyPoint& point, const KeyErrors& errors) {
+    return errors.own + weight * errors.predicted + bit * point.bits;
   };
-  for (size_t i = 0; i + 1 < points_.size(); ++i) {
-    const auto& [a, a_errors] = points_[i];
-    const auto& [b, b_errors] = points_[i + 1];
-    for (int part = 0; part < kParts; ++part) {
+  const auto cost_at = [&](int point) { return cost(measured(point).key, measured(point).errors); };
+  // From about where a bit costs what it saves, but not from where errors jump to 0.
+  const double guess = 2 * std::log2(bit / (2 + 1.6 * weight) / kLeastError);
+  int point = static_cast<int>(std::clamp(std::round(guess), 4.0, kErrorCount - 1.0));
+  const auto is_last = [&] {
+    const KeyPoint& key = measured(point).key;
+    return point + 1 == kErrorCount || key.error < key.asked / 8;  // nothing is left to lose
+  };
+  const int first = point;
+  while (!is_last() && cost_at(point + 1) < cost_at(point)) ++point;
+  while (point <= first && point > 0 && cost_at(point - 1) < cost_at(point)) --point;
+
+  Priced best{measured(point).key, cost_at(point)};
+  const int end = is_last() ? point : point + 1;
+  for (int i = std::max(0, point - 1); i < end; ++i) {
+    const auto& [a, a_errors] = measured(i);
+    const auto& [b, b_errors] = measured(i + 1);
+    for (int part = 1; part < kParts; ++part) {
       const double share = static_cast<double>(part) / kParts;
       const double error = a.error > 0 ? between(a.error, b.error, share) : b.error * share;
       // The other errors are about linear in this one.
       const double grown = b.error > a.error ? (error - a.error) / (b.error - a.error) : share;
-      attempt(
-          {between(a.asked, b.asked, share), error, a.bits + (b.bits - a.bits) * share, a.steps},
+      const KeyPoint key{between(a.asked, b.asked, share), error,
+                         a.bits + (b.bits - a.bits) * share, a.steps};
+      const KeyErrors errors{
           a_errors.own + (b_errors.own - a_errors.own) * grown,
-          a_errors.predicted + (b_errors.predicted - a_errors.predicted) * grown);
+          a_errors.predicted + (b_errors.predicted - a_errors.predicted) * grown};
+      if (cost(key, errors) < best.cost) best = {key, cost(key, errors)};
     }
   }
-  const auto& [last, errors] = points_.back();
-  attempt(last, errors.own, errors.predicted);
   return best;
 }
 

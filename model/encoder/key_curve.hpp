@@ -1,7 +1,9 @@
 // Measures what a key image costs at different errors (KEY-2, EXT-6).
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "decoder/jpeg2000.hpp"
@@ -28,22 +30,20 @@ struct KeyErrors {
 using KeyMeasure = std::function<KeyErrors(const SamplePlane& decoded)>;
 
 /// Of two planes of one size.
+int64_t squared_error(const SamplePlane& a, const SamplePlane& b);
 double mean_squared_error(const SamplePlane& a, const SamplePlane& b);
 
-/// Bits against error of one plane in JPEG 2000, measured once at a few errors and interpolated
-/// between them: the logarithm of the error falls about linearly with the bits.
+/// Bits against error of one plane in JPEG 2000, measured at a few errors and interpolated between
+/// them: the logarithm of the error falls about linearly with the bits. What is asked for is
+/// measured once. Not thread-safe.
 class KeyCurve {
  public:
-  /// An empty curve: cheapest() must not be called.
-  KeyCurve() = default;
+  /// Of `plane`, refined in so many steps. The other functions throw std::bad_alloc.
+  KeyCurve(SamplePlane plane, int steps, SamplePrecision precision, KeyMeasure measure);
 
-  /// Codes `plane`, refined in so many steps, about a dozen times. Throws std::bad_alloc.
-  KeyCurve(const SamplePlane& plane, int steps, SamplePrecision precision,
-           const KeyMeasure& measure);
-
-  /// Where own error + weight * predicted error + lambda * bits is least, `weight` >= 0. `asked` is
-  /// one of a fixed series, four for each doubling, so that the last digits of a machine's
-  /// logarithms do not matter.
+  /// Where own error + weight * predicted error + lambda * bits is least, `weight` >= 0, as far as
+  /// there is one such place. `asked` is one of a fixed series, so that the last digits of a
+  /// machine's logarithms do not matter.
   KeyPoint cheapest(double weight, Lambda lambda) const { return least(weight, lambda).key; }
   /// The bits of a sample at the error `asked`.
   double bits(double asked) const;
@@ -61,8 +61,16 @@ class KeyCurve {
   };
 
   Priced least(double weight, Lambda lambda) const;
+  const std::vector<uint8_t>& coded(int point) const;
+  const Measured& measured(int point) const;
 
-  std::vector<Measured> points_;  // from fine to coarse
+  SamplePlane plane_;
+  int steps_;
+  SamplePrecision precision_;
+  KeyMeasure measure_;
+  mutable std::map<int, std::vector<uint8_t>>
+      coded_;  // by number of the error, from fine to coarse
+  mutable std::map<int, Measured> measured_;
 };
 
 }  // namespace hmlfc

@@ -8,6 +8,8 @@
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/rounding.hpp"
 #include "bits/parallel.hpp"
+#include "encoder/error_kernels.hpp"
+#include "encoder/key_curve.hpp"
 #include "encoder/motion_prediction.hpp"
 
 namespace hmlfc {
@@ -44,7 +46,8 @@ class PlaneRefinement {
 
   void run() {
     const size_t size =
-        static_cast<size_t>(stride_) * (shape_.height + 2 * static_cast<size_t>(pad_));
+        static_cast<size_t>(stride_) * (shape_.height + 2 * static_cast<size_t>(pad_)) +
+        kSpreadAhead;
     int64_t unrefined = 0;
     for (int step = 0; step < task_.steps[plane_]; ++step) {
       const PaddedPlane reference(key_, shape_.width, shape_.height, pad_);
@@ -52,7 +55,7 @@ class PlaneRefinement {
       weights_.assign(size, 0);
       left_ = 0;
       for (const RefinementTarget& target : task_.targets) add(target, reference);
-      const int64_t sum = left_ + own_weight_ * own_error() / (kWeight * kTapSum);
+      const int64_t sum = left_ + own_weight_ * squared_error(key_, view_) / (kWeight * kTapSum);
       if (step == 0) unrefined = sum;
       if (step == 1 && sum > unrefined - unrefined / kLeastGainDivisor) {
         key_ = view_;
@@ -62,113 +65,92 @@ class PlaneRefinement {
     }
   }
 
-  CodingLoss loss(const SamplePlane& coded_key) {
-    const PaddedPlane fine(key_, shape_.width, shape_.height, pad_);
-    const PaddedPlane coded(coded_key, shape_.width, shape_.height, pad_);
-    int64_t blocks = 0;
-    int64_t before = 0;
-    int64_t well = 0;
-    int64_t sum = 0;
+  std::vector<uint32_t> squares() {
+    const PaddedPlane reference(key_, shape_.width, shape_.height, pad_);
+    std::vector<uint32_t> all;
     for (const RefinementTarget& target : task_.targets) {
-      for_each_block([&](const Area& area, int32_t disparity) {
+      for_each_run([&](const Area& area, int32_t disparity) {
         const SubpelVector v = vector(disparity, task_.key, target.at);
-        predict({displaced(fine, area.x, area.y, v)}, 1, area, one_);
-        predict({displaced(coded, area.x, area.y, v)}, 1, area, both_);
+        predict({displaced(reference, area.x, area.y, v)}, 1, area, one_);
         for (int32_t y = 0; y < area.height; y += kSquare) {
-          for (int32_t x = 0; x < area.width; x += kSquare) {
-            const int32_t least = energy(target.planes[plane_], area, x, y, one_);
-            ++blocks;
-            before += std::min(least, kWellPredicted);
-            if (least > kWellPredicted) continue;
-            ++well;
-            sum += energy(target.planes[plane_], area, x, y, both_) - least;
-          }
+          const size_t squares = energies(target, area, y, one_, of_one_);
+          all.insert(all.end(), of_one_.begin(), of_one_.begin() + static_cast<ptrdiff_t>(squares));
         }
       });
     }
-    const auto mean = [](int64_t energies, int64_t count) {
-      return static_cast<double>(energies) / static_cast<double>(count * kSquare * kSquare);
-    };
-    return {mean(before, blocks), static_cast<double>(well) / static_cast<double>(blocks),
-            well > 0 ? mean(sum, well) : 0};
+    return all;
   }
 
  private:
   static constexpr int32_t kSquare = 4;
-  // The energy of a square in a prediction that misses: what is seen elsewhere, or hidden.
-  static constexpr int32_t kWellPredicted = 2600;
-  static constexpr int32_t kMaxBlock = 32;
-  static constexpr int32_t kWeight = 16;   // of a sample that is predicted from one reference
-  static constexpr int64_t kTapSum = 64;   // of tap_weights()
-  static constexpr int kFractionBits = 4;  // of samples between two steps
+  static constexpr int32_t kMaxRows = 8;       // of a grid block
+  static constexpr int32_t kMaxColumns = 128;  // of those worked on at once
+  static constexpr int32_t kWeight = 16;       // of a sample that is predicted from one reference
+  static constexpr int64_t kTapSum = 64;       // of tap_weights()
+  static constexpr int kFractionBits = 4;      // of samples between two steps
 
-  using Predicted = std::array<int16_t, size_t{kMaxBlock} * kMaxBlock>;
+  using Predicted = std::array<int16_t, size_t{kMaxColumns} * kMaxRows>;
+  using Energies = std::array<uint32_t, kMaxColumns / kSquare>;
 
-  // Errors and weights of one grid block, with a border of zeros of one sample.
-  struct BlockErrors {
-    static constexpr int32_t kStride = kMaxBlock + 2;
-    std::array<int32_t, size_t{kStride} * kStride> errors{};
-    std::array<int32_t, size_t{kStride} * kStride> weights{};
+  // What is spread of one run of grid blocks.
+  struct Spreading {
+    static constexpr size_t kStride = kMaxColumns + 2 * kSpreadAhead;
+    std::array<int32_t, kStride * kMaxRows> values{};
+
+    int32_t* row(int32_t y) { return &values[static_cast<size_t>(y) * kStride + kSpreadAhead]; }
   };
-
-  // Of row y, column x >= 0 in a block of `stride` columns.
-  static constexpr size_t place(int32_t x, int32_t y, int32_t stride) {
-    return static_cast<size_t>(y) * static_cast<size_t>(stride) + static_cast<size_t>(x);
-  }
 
   // In a plane with padding.
   size_t index(int64_t x, int64_t y) const {
     return static_cast<size_t>((y + pad_) * stride_ + x + pad_);
   }
 
-  // The squared error of the key image against its view.
-  int64_t own_error() const {
-    int64_t sum = 0;
-    for (size_t k = 0; k < key_.samples.size(); ++k) {
-      const int64_t error = key_.samples[k] - view_.samples[k];
-      sum += error * error;
-    }
-    return sum;
-  }
-
-  // Calls work(area, disparity) for each grid block.
+  // Calls work(area, disparity) for grid blocks next to each other that have one disparity.
   template <typename Work>
-  void for_each_block(const Work& work) const {
+  void for_each_run(const Work& work) const {
+    const uint32_t most = kMaxColumns / static_cast<uint32_t>(block_size_);
     for (uint32_t gy = 0; gy < task_.grid.blocks_y; ++gy) {
       Area area;
       area.y = static_cast<int32_t>(gy) * block_size_;
       area.height = std::min(block_size_, static_cast<int32_t>(shape_.height) - area.y);
-      for (uint32_t gx = 0; gx < task_.grid.blocks_x; ++gx) {
+      for (uint32_t gx = 0, end = 0; gx < task_.grid.blocks_x; gx = end) {
+        const int32_t disparity = task_.grid.at(gx, gy);
+        while (end < std::min(gx + most, task_.grid.blocks_x) &&
+               task_.grid.at(end, gy) == disparity) {
+          ++end;
+        }
         area.x = static_cast<int32_t>(gx) * block_size_;
-        area.width = std::min(block_size_, static_cast<int32_t>(shape_.width) - area.x);
-        if (area.width <= 0 || area.height <= 0) continue;
-        work(area, task_.grid.at(gx, gy));
+        area.width =
+            std::min(static_cast<int32_t>(end) * block_size_, static_cast<int32_t>(shape_.width)) -
+            area.x;
+        if (area.width > 0 && area.height > 0) work(area, disparity);
       }
     }
   }
 
   void add(const RefinementTarget& target, const PaddedPlane& reference) {
-    for_each_block([&](const Area& area, int32_t disparity) {
-      add_block(target, reference, area, disparity);
-    });
-  }
-
-  void add_block(const RefinementTarget& target, const PaddedPlane& reference, const Area& area,
-                 int32_t disparity) {
-    const SubpelVector own = vector(disparity, task_.key, target.at);
-    std::array<DisplacedReference, 2> references{displaced(reference, area.x, area.y, own)};
-    predict(references, 1, area, one_);
-    const PaddedPlane* other = target.other_planes[plane_];
-    if (other != nullptr) {
-      references[1] = displaced(*other, area.x, area.y, vector(disparity, target.other, target.at));
-      predict(references, 2, area, both_);
-    }
-    for (int32_t y = 0; y < area.height; y += kSquare) {
-      for (int32_t x = 0; x < area.width; x += kSquare) {
-        weigh(target.planes[plane_], area, x, y, other != nullptr);
+    for_each_run([&](const Area& area, int32_t disparity) {
+      const SubpelVector own = vector(disparity, task_.key, target.at);
+      std::array<DisplacedReference, 2> references{displaced(reference, area.x, area.y, own)};
+      predict(references, 1, area, one_);
+      const PaddedPlane* other = target.other_planes[plane_];
+      if (other != nullptr) {
+        references[1] =
+            displaced(*other, area.x, area.y, vector(disparity, target.other, target.at));
+        predict(references, 2, area, both_);
       }
-    }
-    spread(area, own);
+      for (int32_t y = 0; y < area.height; y += kSquare) weigh(target, area, y, other != nullptr);
+      const size_t to = index(area.x + own.ix, area.y + own.iy);
+      SpreadRows rows{errors_here_.row(0),
+                      Spreading::kStride,
+                      static_cast<unsigned>(area.width),
+                      static_cast<unsigned>(area.height),
+                      own.fx,
+                      own.fy};
+      spread(rows, &errors_[to], static_cast<size_t>(stride_));
+      rows.values = weights_here_.row(0);
+      spread(rows, &weights_[to], static_cast<size_t>(stride_));
+    });
   }
 
   SubpelVector vector(int32_t disparity, ImagePos reference, ImagePos at) const {
@@ -180,78 +162,52 @@ class PlaneRefinement {
   void predict(const std::array<DisplacedReference, 2>& references, unsigned count,
                const Area& area, Predicted& out) const {
     interpolate_rect(references, count, bound_,
-                     {out.data(), kMaxBlock, static_cast<unsigned>(area.width),
+                     {out.data(), kMaxColumns, static_cast<unsigned>(area.width),
                       static_cast<unsigned>(area.height)});
   }
 
-  // Of the 4x4 samples from (x, y) of the grid block on.
-  static int32_t energy(const SamplePlane& target, const Area& area, int32_t x, int32_t y,
-                        const Predicted& predicted) {
-    int32_t sum = 0;
-    for (int32_t j = y; j < std::min(y + kSquare, area.height); ++j) {
-      const int16_t* row = target.row(static_cast<uint32_t>(area.y + j)).data() + area.x;
-      for (int32_t i = x; i < std::min(x + kSquare, area.width); ++i) {
-        const int32_t error = row[i] - predicted[place(i, j, kMaxBlock)];
-        sum += error * error;
+  const int16_t* samples(const RefinementTarget& target, const Area& area, int32_t y) const {
+    return target.planes[plane_].row(static_cast<uint32_t>(area.y + y)).data() + area.x;
+  }
+
+  // Of the squares of rows y to y + 3 of the run. Returns their number.
+  size_t energies(const RefinementTarget& target, const Area& area, int32_t y,
+                  const Predicted& predicted, Energies& out) const {
+    const auto columns = static_cast<unsigned>(area.width);
+    square_errors({samples(target, area, y), target.planes[plane_].width, kMaxColumns, columns,
+                   static_cast<unsigned>(std::min(kSquare, area.height - y))},
+                  &predicted[static_cast<size_t>(y * kMaxColumns)], out.data());
+    return ceil_div(columns, unsigned{kSquare});
+  }
+
+  // Errors and weights of rows y to y + 3 of the run, with the better prediction of each square.
+  void weigh(const RefinementTarget& target, const Area& area, int32_t y, bool two) {
+    const size_t squares = energies(target, area, y, one_, of_one_);
+    if (two) energies(target, area, y, both_, of_both_);
+    const int32_t end = std::min(y + kSquare, area.height);
+    for (size_t k = 0; k < squares; ++k) {
+      const bool better = two && of_both_[k] < of_one_[k];
+      const int64_t least = better ? of_both_[k] : of_one_[k];
+      left_ += estimate_(least);
+      const int64_t weight = estimate_.slope(least, better ? kWeight / 2 : kWeight);
+      std::fill_n(&sample_weights_[k * kSquare], kSquare, static_cast<int16_t>(weight));
+      for (int32_t j = y; better && j < end; ++j) {
+        const size_t at = static_cast<size_t>(j * kMaxColumns) + k * kSquare;
+        std::copy_n(&both_[at], kSquare, &one_[at]);
       }
     }
-    return sum;
-  }
-
-  // Errors and weights of the 4x4 samples from (x, y) of the grid block on, with the better
-  // prediction.
-  void weigh(const SamplePlane& target, const Area& area, int32_t x, int32_t y, bool two) {
-    const int32_t energy_of_one = energy(target, area, x, y, one_);
-    const int32_t energy_of_both = two ? energy(target, area, x, y, both_) : 0;
-    two = two && energy_of_both < energy_of_one;
-    const int64_t least = two ? energy_of_both : energy_of_one;
-    left_ += estimate_(least);
-    const auto weight = static_cast<int32_t>(estimate_.slope(least, two ? kWeight / 2 : kWeight));
-    const Predicted& predicted = two ? both_ : one_;
-    const int32_t x1 = std::min(x + kSquare, area.width);
-    const int32_t y1 = std::min(y + kSquare, area.height);
-    for (int32_t j = y; j < y1; ++j) {
-      const int16_t* row = target.row(static_cast<uint32_t>(area.y + j)).data() + area.x;
-      for (int32_t i = x; i < x1; ++i) {
-        const size_t to = place(i + 1, j + 1, BlockErrors::kStride);
-        errors_here_.errors[to] = weight * (row[i] - predicted[place(i, j, kMaxBlock)]);
-        errors_here_.weights[to] = weight;
+    for (int32_t j = y; j < end; ++j) {
+      const int16_t* here = samples(target, area, j);
+      const int16_t* predicted = &one_[static_cast<size_t>(j * kMaxColumns)];
+      int32_t* errors = errors_here_.row(j);
+      int32_t* weights = weights_here_.row(j);
+      for (int32_t i = 0; i < area.width; ++i) {
+        const int16_t weight = sample_weights_[static_cast<size_t>(i)];
+        errors[i] = weight * static_cast<int16_t>(here[i] - predicted[i]);
+        weights[i] = weight;
       }
-    }
-  }
-
-  // Adds the grid block to the samples of the key image that it is interpolated from.
-  void spread(const Area& area, const SubpelVector& v) {
-    const TapWeights taps = tap_weights(v.fx, v.fy);
-    const int32_t columns = area.width + (v.fx > 0 ? 1 : 0);
-    const int32_t rows = area.height + (v.fy > 0 ? 1 : 0);
-    clear_border(area);
-    for (int32_t j = 0; j < rows; ++j) {
-      const size_t to = index(area.x + v.ix, area.y + v.iy + j);
-      const size_t from = place(0, j, BlockErrors::kStride);
-      add_row(&errors_here_.errors[from], taps, columns, &errors_[to]);
-      add_row(&errors_here_.weights[from], taps, columns, &weights_[to]);
-    }
-  }
-
-  // The grid block before may have been larger.
-  void clear_border(const Area& area) {
-    for (int32_t i = 0; i <= area.width + 1; ++i) {
-      const size_t at = place(i, area.height + 1, BlockErrors::kStride);
-      errors_here_.errors[at] = errors_here_.weights[at] = 0;
-    }
-    for (int32_t j = 0; j <= area.height; ++j) {
-      const size_t at = place(area.width + 1, j, BlockErrors::kStride);
-      errors_here_.errors[at] = errors_here_.weights[at] = 0;
-    }
-  }
-
-  // `above`: the row above, from one column to the left on.
-  static void add_row(const int32_t* above, const TapWeights& taps, int32_t columns, int64_t* out) {
-    const int32_t* here = above + BlockErrors::kStride;
-    for (int32_t i = 0; i < columns; ++i) {
-      out[i] +=
-          taps[0] * here[i + 1] + taps[1] * here[i] + taps[2] * above[i + 1] + taps[3] * above[i];
+      std::fill_n(errors + area.width, kSpreadAhead, 0);
+      std::fill_n(weights + area.width, kSpreadAhead, 0);
     }
   }
 
@@ -262,7 +218,7 @@ class PlaneRefinement {
         const size_t k = size_t{y} * key_.width + x;
         const size_t from = index(x, y);
         const int64_t own = int64_t{view_.samples[k]} * (1 << kFractionBits) - fine_[k];
-        const int64_t error = own_weight_ * own + errors_[from] * (1 << kFractionBits);
+        const int64_t error = own_weight_ * own + int64_t{errors_[from]} * (1 << kFractionBits);
         fine_[k] += round_half_up_div(error, own_weight_ + weights_[from]);
         key_.samples[k] =
             static_cast<int16_t>(clamp(round_shift(fine_[k], kFractionBits), range_.lo, range_.hi));
@@ -286,13 +242,19 @@ class PlaneRefinement {
   VectorRules rules_;
   ResidualEstimate estimate_;
   int64_t own_weight_;
-  int64_t left_ = 0;              // of the targets, with the key image at hand
-  std::vector<int32_t> fine_;     // samples of the key image with their fraction
-  std::vector<int64_t> errors_;   // sums of taps * weight * error, of a plane with padding
-  std::vector<int64_t> weights_;  // sums of taps * weight
+  int64_t left_ = 0;           // of the targets, with the key image at hand
+  std::vector<int32_t> fine_;  // samples of the key image with their fraction
+  // Of a plane with padding, which spread() may exceed. Large errors have small weights: a target
+  // adds at most 10^6 times the grid blocks that overlap.
+  std::vector<int32_t> errors_;   // sums of taps * weight * error
+  std::vector<int32_t> weights_;  // sums of taps * weight
   Predicted one_{};
   Predicted both_{};
-  BlockErrors errors_here_;
+  Energies of_one_{};
+  Energies of_both_{};
+  std::array<int16_t, kMaxColumns> sample_weights_{};
+  Spreading errors_here_;
+  Spreading weights_here_;
 };
 
 }  // namespace
@@ -302,10 +264,10 @@ void refine_key(const KeyRefinement& task, ImagePlanes& key) {
   parallel_for(kPlaneCount, [&](size_t p) { PlaneRefinement(task, p, key[p]).run(); });
 }
 
-CodingLoss coding_loss(const KeyRefinement& task, Plane plane, const SamplePlane& fine,
-                       const SamplePlane& coded) {
-  SamplePlane key = fine;
-  return PlaneRefinement(task, static_cast<size_t>(plane), key).loss(coded);
+std::vector<uint32_t> prediction_errors(const KeyRefinement& task, Plane plane,
+                                        const SamplePlane& key) {
+  SamplePlane same = key;
+  return PlaneRefinement(task, static_cast<size_t>(plane), same).squares();
 }
 
 }  // namespace hmlfc

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include <hmlfc/format.hpp>
 
@@ -43,16 +45,9 @@ struct KeyRefinement {
 /// simultaneous iterative reconstruction technique of tomography, in integers.
 void refine_key(const KeyRefinement& task, ImagePlanes& key);
 
-/// Mean squared errors of targets predicted from a key image.
-struct CodingLoss {
-  double before = 0;     ///< without the image's coding; what is predicted badly counts as bounded
-  double predicted = 0;  ///< the share of the targets' blocks that is predicted well
-  double error = 0;      ///< what coding adds to these
-};
-
-/// Compares one plane of the targets, each of their grid blocks predicted with its disparity, from
-/// `fine` and from what coding made of it, both of the size of whole blocks.
-CodingLoss coding_loss(const KeyRefinement& task, Plane plane, const SamplePlane& fine,
-                       const SamplePlane& coded);
+/// The squared errors of 4x4 samples in one plane of all targets, each grid block predicted from
+/// `key`, of the size of whole blocks, with its disparity.
+std::vector<uint32_t> prediction_errors(const KeyRefinement& task, Plane plane,
+                                        const SamplePlane& key);
 
 }  // namespace hmlfc

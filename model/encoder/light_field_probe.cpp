@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 #include "bits/parallel.hpp"
 #include "encoder/key_refinement.hpp"
@@ -26,6 +28,10 @@ constexpr size_t kUsualImages = 24;
 // Steps of the refinement of key images that are tried; 0 leaves the view. More sharpen an image
 // further and cost bits; where there is noise, they take it out.
 constexpr std::array kRefinementSteps{0, 2, 4};
+// The squared error of 4x4 samples in a prediction that misses: what is seen elsewhere, or hidden.
+constexpr uint32_t kWellPredicted = 2600;
+// An error at which a part of the views is compared with the whole.
+constexpr double kUsualError = 2;
 // The share of a key image's error that is left in what is interpolated from it, where that cannot
 // be measured.
 constexpr double kInterpolatedError = 0.65;
@@ -104,39 +110,40 @@ void probe_disparities(const ViewProvider& views, const StreamHeader& header,
 }
 
 // The view in the middle as a key image of a usual group, and the views around it.
-class KeyProbe {
+class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
  public:
-  KeyProbe(const ViewProvider& views, const StreamHeader& header, const LightFieldProbe& found)
-      : views_(views),
-        header_(header),
+  KeyProbe(const ViewProvider& views, const StreamHeader& header, const DisparityRange& range)
+      : header_(header),
         geometry_(header),
         middle_(middle_of(views.shape())),
         view_(view_planes(views, geometry_, middle_)) {
-    header_.row_scale = found.row_scale;
-    if (header.has(Feature::kSharedDisparity)) find_targets(found.disparities);
+    if (header.has(Feature::kSharedDisparity)) find_targets(views, range);
   }
 
-  // The curves of the view, refined for the views around it in different numbers of steps.
+  // The curves of the view, refined for the views around it in different numbers of steps. They
+  // share this.
   std::array<std::vector<KeyCurve>, kPlaneCount> curves() const {
     std::array<std::vector<KeyCurve>, kPlaneCount> curves;
     for (const int steps : kRefinementSteps) {
-      if (targets_.empty() && !curves[0].empty()) break;
+      if (targets_.empty() && steps > 0) break;
       ImagePlanes key = view_;
-      refine_key(task(kUsualLambda, steps), key);
-      for (auto& plane : curves) plane.emplace_back();
-      parallel_for(kPlaneCount, [&](size_t p) {
+      if (steps > 0) refine_key(task(steps), key);
+      for (size_t p = 0; p < kPlaneCount; ++p) {
         const PlaneShape& shape = geometry_.plane(kPlanes[p]);
-        curves[p].back() =
-            KeyCurve(cropped(key[p], shape.width, shape.height), steps,
-                     {header_.depth + (p > 0 ? 1 : 0), p > 0},
-                     [&](const SamplePlane& coded) { return errors(p, key[p], coded); });
-      });
+        const SamplePlane inside = cropped(key[p], shape.width, shape.height);
+        std::vector<uint32_t> squares = prediction_errors(task(steps), kPlanes[p], key[p]);
+        const auto measure = [self = shared_from_this(), p, inside,
+                              squares = std::move(squares)](const SamplePlane& coded) {
+          return self->errors(p, inside, squares, coded);
+        };
+        curves[p].emplace_back(inside, steps, precision_of(kPlanes[p], header_.depth), measure);
+      }
     }
     return curves;
   }
 
  private:
-  void find_targets(const DisparityRange& disparities) {
+  void find_targets(const ViewProvider& views, const DisparityRange& disparities) {
     const PaddedPlane reference(view_[0], header_.width, header_.height, header_.window + 10);
     DisparitySearch search = disparity_search(header_);
     search.bound = reference_bound(Plane::kY, header_.depth, true);
@@ -145,7 +152,7 @@ class KeyProbe {
       for (const int32_t cols : moves(header_.cols)) {
         if (rows == 0 && cols == 0) continue;
         const ImagePos at = moved(middle_, rows, cols);
-        targets_.push_back({view_planes(views_, geometry_, at), at, {}, {}});
+        targets_.push_back({view_planes(views, geometry_, at), at, {}, {}});
         search.targets.push_back({nullptr, {&reference, -rows, -cols}, {}});
       }
     }
@@ -155,32 +162,39 @@ class KeyProbe {
     grid_ = search_disparities(search, disparities);
   }
 
-  KeyRefinement task(Lambda lambda, int steps) const {
-    const size_t images = std::max(targets_.size(), kUsualImages);
+  KeyRefinement task(int steps) const {
     return {header_,
             geometry_,
             middle_,
             grid_,
             targets_,
-            images,
-            {lambda, lambda, lambda},
+            std::max(targets_.size(), kUsualImages),
+            {kUsualLambda, kUsualLambda, kUsualLambda},
             {steps, steps, steps}};
   }
 
-  // Of what coding makes of plane p of `key`.
-  KeyErrors errors(size_t p, const SamplePlane& key, const SamplePlane& coded) const {
+  // What coding makes of plane p of `key`, from which predictions have the errors `squares`.
+  KeyErrors errors(size_t p, const SamplePlane& key, const std::vector<uint32_t>& squares,
+                   const SamplePlane& coded) const {
     const PlaneShape& shape = geometry_.plane(kPlanes[p]);
     const double own = mean_squared_error(cropped(view_[p], shape.width, shape.height), coded);
-    const double error = mean_squared_error(cropped(key, shape.width, shape.height), coded);
-    if (targets_.empty()) return {own, kInterpolatedError * error};
-    const CodingLoss loss = coding_loss(task(kUsualLambda, 0), kPlanes[p], key,
-                                        in_whole_blocks(coded, shape, geometry_.block_size()));
-    const double lost =
-        loss.predicted * loss.error + (1 - loss.predicted) * kInterpolatedError * error;
-    return {own, loss.before + lost};
+    const double interpolated = kInterpolatedError * mean_squared_error(key, coded);
+    if (squares.empty()) return {own, interpolated};
+    const std::vector<uint32_t> of_coded = prediction_errors(
+        task(0), kPlanes[p], in_whole_blocks(coded, shape, geometry_.block_size()));
+    int64_t before = 0;  // what is predicted badly counts as bounded
+    int64_t lost = 0;    // by coding, where predictions are good
+    double well = 0;
+    for (size_t k = 0; k < squares.size(); ++k) {
+      before += std::min(squares[k], kWellPredicted);
+      if (squares[k] > kWellPredicted) continue;
+      lost += int64_t{of_coded[k]} - squares[k];
+      ++well;
+    }
+    const auto all = static_cast<double>(squares.size());
+    return {own, static_cast<double>(before + lost) / (16 * all) + (1 - well / all) * interpolated};
   }
 
-  const ViewProvider& views_;
   StreamHeader header_;
   Geometry geometry_;
   ImagePos middle_;
@@ -191,10 +205,24 @@ class KeyProbe {
 
 }  // namespace
 
-LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header) {
+LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header,
+                                  const ViewProvider& part) {
   LightFieldProbe found;
   if (header.has(Feature::kSharedDisparity)) probe_disparities(views, header, found);
-  if (header.has(Feature::kLossyKeys)) found.keys = KeyProbe(views, header, found).curves();
+  if (!header.has(Feature::kLossyKeys)) return found;
+  StreamHeader of_part = header;
+  of_part.width = part.shape().width;
+  of_part.height = part.shape().height;
+  of_part.row_scale = found.row_scale;
+  found.keys = std::make_shared<KeyProbe>(part, of_part, found.disparities)->curves();
+  const Geometry geometry(header);
+  const ImagePlanes whole = view_planes(views, geometry, middle_of(views.shape()));
+  parallel_for(kPlaneCount, [&](size_t p) {
+    const PlaneShape& shape = geometry.plane(kPlanes[p]);
+    const KeyCurve curve(cropped(whole[p], shape.width, shape.height), 0,
+                         precision_of(kPlanes[p], header.depth), {});
+    found.key_bits[p] = curve.bits(kUsualError) / found.keys[p].front().bits(kUsualError);
+  });
   return found;
 }
 

@@ -17,12 +17,16 @@ struct LightFieldProbe {
   DisparityRange disparities;  ///< in units of the header's disparity_precision
   int row_scale = 16;          ///< 16, or -16 where rows run against their parallax
   /// Of the view in the middle: as it is, then refined for those around it, if there are any. Empty
-  /// without lossy_keys.
+  /// without lossy_keys. They measure what they are asked for, and share about nine views.
   std::array<std::vector<KeyCurve>, kPlaneCount> keys;
+  /// The bits of a sample in whole views, as multiples of those that `keys` state.
+  std::array<double, kPlaneCount> key_bits{};
 };
 
-/// Looks at the views around the middle of the grid, up to 12 samples of disparity per view. What
-/// the feature flags of `header` have no use for is left out. Throws std::bad_alloc.
-LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header);
+/// Looks at the views around the middle of the grid, up to 12 samples of disparity per view; key
+/// images are measured in `part` of all views. What the feature flags of `header` have no use for
+/// is left out. Throws std::bad_alloc.
+LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header,
+                                  const ViewProvider& part);
 
 }  // namespace hmlfc

@@ -26,8 +26,6 @@ std::vector<uint8_t> reference_sets(const MotionSources& sources) {
   return sets;
 }
 
-using BlockSamples = std::array<int16_t, size_t{kMaxBlockSize} * kMaxBlockSize>;
-
 class PlanePredictor {
  public:
   PlanePredictor(const MotionSources& sources, Plane plane, const SamplePlane* parent,
@@ -48,7 +46,7 @@ class PlanePredictor {
     const auto size = static_cast<uint32_t>(size_);
     SamplePlane plane(shape_.blocks_x * size, shape_.blocks_y * size);
     for (uint32_t by = 0; by < shape_.blocks_y; ++by) {
-      for (uint32_t bx = 0; bx < shape_.blocks_x; ++bx) predict(bx, by, plane);
+      for (uint32_t bx = 0; bx < shape_.blocks_x;) bx = predict(bx, by, plane);
     }
     return plane;
   }
@@ -69,49 +67,61 @@ class PlanePredictor {
     return tile.palette[tile.indices[index]];
   }
 
-  int32_t disparity_at(uint32_t x, uint32_t y, const PaletteEntry& symbol) const {
-    if (symbol.choice == kChoiceDisparity) return symbol.explicit_x;
+  // What one block, or several with the same, is predicted with.
+  struct Motion {
+    PaletteEntry symbol;
+    int32_t disparity = 0;
+    friend bool operator==(const Motion&, const Motion&) = default;
+  };
+
+  Motion motion_at(uint32_t bx, uint32_t by) const {
+    const auto scale = static_cast<uint32_t>(halved_ ? 2 * size_ : size_);
+    const uint32_t x = bx * scale;
+    const uint32_t y = by * scale;
+    const PaletteEntry& symbol = symbol_at(x, y);
+    if (symbol.choice == kChoiceNone) return {symbol};
     const unsigned grid_log2 = sources_.header.disparity_grid_log2;
-    return sources_.disparity(x >> grid_log2, y >> grid_log2, symbol.choice);
+    return {symbol, sources_.disparity(x >> grid_log2, y >> grid_log2, symbol.choice)};
   }
 
-  void predict(uint32_t bx, uint32_t by, SamplePlane& plane) const {
-    const auto size = static_cast<uint32_t>(size_);
-    const uint32_t scale = halved_ ? 2 : 1;
-    const uint32_t x = bx * size * scale;
-    const uint32_t y = by * size * scale;
-    const PaletteEntry& symbol = symbol_at(x, y);
-    BlockSamples reference{};
-    if (symbol.choice != kChoiceNone) {
-      const Area area{static_cast<int32_t>(bx * size), static_cast<int32_t>(by * size), size_,
-                      size_};
-      read_references(symbol, disparity_at(x, y, symbol), area, reference);
-    }
-    for (uint32_t j = 0; j < size; ++j) {
-      const auto out = plane.row(by * size + j);
-      for (uint32_t i = 0; i < size; ++i) {
-        const uint32_t column = bx * size + i;
-        const int32_t parent = parent_ == nullptr ? 0 : parent_->at(column, by * size + j);
-        const int32_t base = sources_.keyed && symbol.choice != kChoiceNone ? 0 : parent;
-        const int32_t value =
-            symbol.choice == kChoiceNone
-                ? base
-                : motion_prediction(base, symbol.negative, reference[j * size + i], range_);
-        out[column] = static_cast<int16_t>(value);
+  // Predicts the blocks from (bx, by) to the right that have one motion; returns where they end.
+  uint32_t predict(uint32_t bx, uint32_t by, SamplePlane& plane) const {
+    const Motion motion = motion_at(bx, by);
+    uint32_t end = bx + 1;
+    while (end < shape_.blocks_x && motion_at(end, by) == motion) ++end;
+    const Area area{static_cast<int32_t>(bx) * size_, static_cast<int32_t>(by) * size_,
+                    static_cast<int32_t>(end - bx) * size_, size_};
+    const auto x = static_cast<uint32_t>(area.x);
+    const bool moves = motion.symbol.choice != kChoiceNone;
+    if (moves)
+      read_references(motion, area, plane.row(static_cast<uint32_t>(area.y)).data() + x,
+                      plane.width);
+    if (sources_.keyed && moves) return end;
+    for (int32_t y = area.y; y < area.y + size_; ++y) {
+      const auto out =
+          plane.row(static_cast<uint32_t>(y)).subspan(x, static_cast<size_t>(area.width));
+      for (size_t i = 0; i < out.size(); ++i) {
+        const int32_t base = parent_ == nullptr ? 0
+                                                : parent_->at(x + static_cast<uint32_t>(i),
+                                                              static_cast<uint32_t>(y));
+        out[i] = static_cast<int16_t>(
+            moves ? motion_prediction(base, motion.symbol.negative, out[i], range_) : base);
       }
     }
+    return end;
   }
 
-  void read_references(const PaletteEntry& symbol, int32_t d, const Area& area,
-                       BlockSamples& out) const {
-    const ReferenceSet refs = references_of_set(symbol.reference_set);
+  void read_references(const Motion& motion, const Area& area, int16_t* out, size_t stride) const {
+    const ReferenceSet refs = references_of_set(motion.symbol.reference_set);
     std::array<DisplacedReference, 2> parts;
     for (size_t i = 0; i < refs.count; ++i) {
       const size_t k = refs.reference[i];
-      parts[i] = displaced(*references_[k], area.x, area.y, sources_.vector(k, d, halved_));
+      parts[i] =
+          displaced(*references_[k], area.x, area.y, sources_.vector(k, motion.disparity, halved_));
     }
-    const auto size = static_cast<unsigned>(size_);
-    interpolate_rect(parts, refs.count, bound_, {out.data(), size, size, size});
+    interpolate_rect(
+        parts, refs.count, bound_,
+        {out, stride, static_cast<unsigned>(area.width), static_cast<unsigned>(area.height)});
   }
 
   const MotionSources& sources_;

@@ -14,25 +14,14 @@ namespace hmlfc {
 
 /// One call of search_motion(), its arguments checked.
 struct MotionRequest {
-  const int16_t* block;        ///< block_size^2 samples, row-major
-  const int16_t* reference;    ///< the reference sample at the block's position
-  const int16_t* square_sums;  ///< its 2x2 sum
-  ptrdiff_t stride;            ///< of `reference` and of `square_sums`
-  int block_size;              ///< 2, 4 or 8
-  int window;                  ///< [0, 127]
+  const int16_t* block;      ///< block_size^2 samples, row-major
+  const int16_t* reference;  ///< the reference sample at the block's position
+  ptrdiff_t stride;
+  int block_size;  ///< 2, 4 or 8
+  int window;      ///< [0, 127]
   bool both_signs;
   const MotionMatch* hints;
   size_t hint_count;
-};
-
-/// The candidates that the lanes of one vector hold: lane i is (dx, dy) + i * (step_x, step_y).
-struct MotionGroup {
-  int dx;
-  int dy;
-  int step_x;
-  int step_y;
-  int count;         ///< lanes inside the window; the others hold no candidate
-  int least_length;  ///< no candidate of the group has a smaller |dx| + |dy|
 };
 
 /// The first candidate so far.

@@ -36,23 +36,11 @@ ReferencePlane::ReferencePlane(std::span<const int16_t> samples, uint32_t width,
     : width_(width),
       height_(height),
       max_window_(max_window),
-      samples_(samples, width, width, height, search_padding(width, max_window)),
-      square_sums_(samples_.size()) {
+      samples_(samples, width, width, height, search_padding(width, max_window)) {
   assert(width >= 1 && height >= 1 && samples.size() == size_t{width} * height);
   assert(max_window >= 0 && max_window <= kMaxWindow);
   assert(std::all_of(samples.begin(), samples.end(),
                      [](int sample) { return std::abs(sample) <= kMaxAbs; }));
-  // The last row and the last column have no square; no valid candidate reads them and they stay 0.
-  const ptrdiff_t stride = samples_.stride();
-  const ptrdiff_t rows = static_cast<ptrdiff_t>(samples_.size()) / stride;
-  for (ptrdiff_t row = 0; row + 1 < rows; ++row) {
-    const int16_t* upper = samples_.data() + row * stride;
-    const int16_t* lower = upper + stride;
-    int16_t* out = square_sums_.data() + row * stride;
-    for (ptrdiff_t col = 0; col + 1 < stride; ++col) {
-      out[col] = static_cast<int16_t>(upper[col] + upper[col + 1] + lower[col] + lower[col + 1]);
-    }
-  }
 }
 
 }  // namespace hmlfc

@@ -34,8 +34,6 @@ class PaddedPlane {
     return samples_.data() + static_cast<ptrdiff_t>((y + before_) * stride_ + x + before_);
   }
   ptrdiff_t stride() const { return stride_; }
-  const int16_t* data() const { return samples_.data(); }
-  size_t size() const { return samples_.size(); }
 
  private:
   ptrdiff_t before_;
@@ -49,9 +47,8 @@ class PaddedPlane {
 /// sample inside (each coordinate clamped on its own). Those positions are stored, so that a search
 /// never branches on a border.
 ///
-/// Memory: 4 bytes per stored sample (2 for the sample, 2 for the sum of its 2x2 square). Stored
-/// are (width + 2 * max_window + 40, rounded up to 32) x (height + 2 * max_window + 8) samples: 1.4
-/// MB for 700x400 and a window of 16.
+/// Stored are (width + 2 * max_window + 40, rounded up to 32) x (height + 2 * max_window + 8)
+/// samples of 2 bytes: 0.7 MB for 700x400 and a window of 16.
 ///
 /// Immutable once built: any number of threads may search in one plane.
 class ReferencePlane {
@@ -69,25 +66,18 @@ class ReferencePlane {
   uint32_t height() const { return height_; }
   int max_window() const { return max_window_; }
 
-  /// Distance between vertically adjacent samples (or sums), in elements.
+  /// Distance between vertically adjacent samples, in elements.
   ptrdiff_t stride() const { return samples_.stride(); }
 
   /// The sample at (x, y), x in [-max_window, width + max_window + 6], y in [-max_window, height +
   /// max_window + 6]. From there, 32 further samples to the right can be read.
   const int16_t* sample(int64_t x, int64_t y) const { return samples_.at(x, y); }
 
-  /// The sum of the samples (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1), modulo 2^16 in int16;
-  /// same intervals as sample(), one less at the right and the bottom.
-  const int16_t* square_sum(int64_t x, int64_t y) const {
-    return square_sums_.data() + (samples_.at(x, y) - samples_.data());
-  }
-
  private:
   uint32_t width_;
   uint32_t height_;
   int max_window_;
   PaddedPlane samples_;
-  std::vector<int16_t> square_sums_;
 };
 
 }  // namespace hmlfc

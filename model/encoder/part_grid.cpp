@@ -31,7 +31,7 @@ ImageBytes image_bytes(const StreamHeader& header, const Geometry& geometry) {
     const uint64_t block = geometry.block_size();
     const uint64_t padded = (shape.width + pad) * (shape.height + pad);
     bytes.planes += shape.blocks_x * block * shape.blocks_y * block * sizeof(int16_t);
-    bytes.reference += padded * sizeof(int16_t) * (main ? 2 : 1);
+    bytes.reference += padded * sizeof(int16_t);
     bytes.luma = std::max(bytes.luma, padded);
   }
   return bytes;

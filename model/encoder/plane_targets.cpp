@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "arithmetic/reconstruct.hpp"
+#include "bits/parallel.hpp"
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
@@ -62,7 +63,7 @@ KeyPoint cheapest_key(const std::vector<KeyCurve>& curves, double weight, Lambda
   const auto refined = std::ranges::min_element(curves.begin() + 1, curves.end(), {}, cost);
   KeyPoint key = refined->cheapest(weight, lambda);
   const double unrefined = std::max(0.0, 1 - std::log(images) / std::log(kImagesOfCurves));
-  key.bits += unrefined * (view.bits(key.asked) - key.bits);
+  if (unrefined > 0) key.bits += unrefined * (view.bits(key.asked) - key.bits);
   return key;
 }
 
@@ -90,16 +91,17 @@ PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& param
   const Lambda lambda = lambda_of_quality(params.extended.quality);
   const double weight = key_weight(header, params);
   PlaneTargets targets;
-  for (const Plane plane : kPlanes) {
-    PlaneTarget& target = targets[static_cast<size_t>(plane)];
+  parallel_for(kPlaneCount, [&](size_t p) {
+    const Plane plane = kPlanes[p];
+    PlaneTarget& target = targets[p];
     ResidualRules& rules = target.residuals;
     rules.lossless = params.lossless;
     rules.lambda = plane_lambda(lambda, plane, header.chroma_format);
     rules.step_code = step_code_of(rules.lambda);
-    if (params.lossless) continue;
-    target.key = cheapest_key(probe.keys[static_cast<size_t>(plane)], weight, rules.lambda,
-                              images_per_key(Geometry(header)));
-  }
+    if (params.lossless) return;
+    target.key =
+        cheapest_key(probe.keys[p], weight, rules.lambda, images_per_key(Geometry(header)));
+  });
   return targets;
 }
 

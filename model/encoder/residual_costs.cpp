@@ -13,6 +13,7 @@ ResidualCosts::ResidualCosts(const BlockValues& differences, Lambda lambda)
   const auto values = differences.span();
   std::copy(values.begin(), values.end(), sorted_.begin());
   std::sort(sorted_.begin(), sorted_.begin() + static_cast<ptrdiff_t>(count_));
+  sums_[0] = squares_[0] = errors_[0] = 0;
   for (size_t i = 0; i < count_; ++i) {
     sums_[i + 1] = sums_[i] + sorted_[i];
     squares_[i + 1] = squares_[i] + int64_t{sorted_[i]} * sorted_[i];

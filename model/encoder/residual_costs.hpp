@@ -64,12 +64,13 @@ class ResidualCosts {
   Lambda lambda_;
   size_t count_;
   int32_t step_ = 0;
-  std::array<int32_t, kMaxSamples> sorted_{};
-  std::array<int32_t, kMaxSamples> levels_{};  // of sorted_ with step_
+  // The first count_ have a value.
+  std::array<int32_t, kMaxSamples> sorted_;
+  std::array<int32_t, kMaxSamples> levels_;  // of sorted_ with step_
   // Sums of the first k of them.
-  std::array<int64_t, kMaxSamples + 1> sums_{};
-  std::array<int64_t, kMaxSamples + 1> squares_{};
-  std::array<int64_t, kMaxSamples + 1> errors_{};
+  std::array<int64_t, kMaxSamples + 1> sums_;
+  std::array<int64_t, kMaxSamples + 1> squares_;
+  std::array<int64_t, kMaxSamples + 1> errors_;
 };
 
 }  // namespace hmlfc

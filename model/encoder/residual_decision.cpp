@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <numeric>
 #include <utility>
 
 #include "arithmetic/bise.hpp"
@@ -19,8 +21,6 @@ constexpr size_t kBlocks = size_t{kTileBlocks} * kTileBlocks;
 constexpr unsigned kMaxStepBits = 2;
 constexpr unsigned kMaxLevelBits = 3;
 
-// mask_mode 2, level_base 6, level_bits 3, bias_bits 4, step_base 4, step_bits 2.
-constexpr int64_t kResidualHeadBits = 21;
 // About what a block takes in a mask.
 constexpr int64_t kMaskBitsPerBlock = 2;
 
@@ -73,19 +73,19 @@ class HeadSearch {
   // Weighs the blocks that may be worth a residual. False: all together they are not worth a head.
   bool collect() {
     const int64_t least = lambda_.cost(0, kMaskBitsPerBlock);
-    const int64_t head = lambda_.cost(0, kResidualHeadBits + kTileOverheadBits);
-    std::array<int64_t, kBlocks> worth{};  // what a block could save, if its residual were free
+    const int64_t head = lambda_.cost(0, kLeastResidualBits);
+    std::array<int64_t, kBlocks> worth{};  // what a block could save at most
     int64_t most = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (!has_bit(context_.blocks_inside, static_cast<unsigned>(k))) continue;
-      worth[k] = std::max<int64_t>(0, lambda_.cost(energy(differences_[k]), 0) - least);
+      worth[k] = std::max<int64_t>(0, most_saved(differences_[k]) - least);
       most += worth[k];
     }
     if (most <= head) return false;
     most = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (worth[k] == 0) continue;
-      Candidate candidate{k, {differences_[k], lambda_}, {}};
+      Candidate& candidate = candidates_.emplace_back(Candidate{k, {differences_[k], lambda_}, {}});
       candidate.costs.resize(steps_);
       int64_t best = kNever;
       for (unsigned s = 0; s < steps_; ++s) {
@@ -94,11 +94,20 @@ class HeadSearch {
           best = std::min(best, *std::min_element(row.begin(), row.end()));
         }
       }
-      if (best + least >= candidate.weighed.zero()) continue;
-      most += candidate.weighed.zero() - best - least;
-      candidates_.push_back(std::move(candidate));
+      const int64_t saved = candidate.weighed.zero() - best - least;
+      if (saved <= 0) candidates_.pop_back();
+      most += std::max<int64_t>(0, saved);
     }
     return most > head;
+  }
+
+  // By one level, which takes the mean away and no bits, or by more of them, which take some.
+  int64_t most_saved(const BlockValues& block) const {
+    const auto values = block.span();
+    const int64_t sum = std::accumulate(values.begin(), values.end(), int64_t{0});
+    const auto bits = static_cast<int64_t>(bise_bits(levels_of_code(1), block.size()));
+    return std::max(lambda_.cost(sum * sum / static_cast<int64_t>(block.size()) + 1, 0),
+                    lambda_.cost(energy(block), -bits));
   }
 
   // All level_base and level_bits with steps [step, step + 2^step_bits - 1] and one bias width.
@@ -151,7 +160,7 @@ class HeadSearch {
       add_block(candidate, choice, tile);
     }
     const uint32_t mode = mask_mode(tile.mask, context_.blocks_inside);
-    const int64_t bits = mask_bits(tile.mask, mode) + kResidualHeadBits + kTileOverheadBits;
+    const int64_t bits = mask_bits(tile.mask, mode) + kLeastResidualBits;
     if (gain <= lambda_.cost(0, bits)) return {};
     return tile;
   }
@@ -197,7 +206,7 @@ class HeadSearch {
   Lambda lambda_;
   unsigned first_step_;
   unsigned steps_;
-  std::vector<Candidate> candidates_;
+  std::deque<Candidate> candidates_;
   int64_t best_gain_ = 0;
   Head best_;
 };
@@ -222,14 +231,6 @@ ResidualTile exact_residuals(std::span<const BlockValues> differences, const Til
 ResidualTile decide_residuals(std::span<const BlockValues> differences, const TileContext& context,
                               const ResidualRules& rules) {
   if (rules.lossless) return exact_residuals(differences, context);
-  int64_t zero = 0;
-  for (size_t k = 0; k < kBlocks; ++k) {
-    if (has_bit(context.blocks_inside, static_cast<unsigned>(k))) {
-      zero += rules.lambda.cost(energy(differences[k]), 0);
-    }
-  }
-  // A tile whose whole error is worth less than a record stays empty.
-  if (zero <= rules.lambda.cost(0, kResidualHeadBits + kTileOverheadBits)) return {};
   return HeadSearch(differences, context, rules).run();
 }
 

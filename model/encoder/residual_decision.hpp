@@ -11,6 +11,10 @@
 
 namespace hmlfc {
 
+/// The bits of a record of residuals without its mask and blocks: mask_mode 2, level_base 6,
+/// level_bits 3, bias_bits 4, step_base 4, step_bits 2.
+inline constexpr int64_t kLeastResidualBits = 21 + kTileOverheadBits;
+
 /// How the residuals of one tile are decided.
 struct ResidualRules {
   Lambda lambda;

@@ -1,9 +1,13 @@
 #include "encoder/residual_plane.hpp"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
 #include <vector>
 
 #include "arithmetic/reconstruct.hpp"
 #include "bits/bit_string.hpp"
+#include "encoder/error_kernels.hpp"
 #include "syntax/tile_masks.hpp"
 
 namespace hmlfc {
@@ -38,17 +42,38 @@ class ResidualEncoder {
 
  private:
   void encode_tile(uint32_t tx, uint32_t ty) {
-    context_.blocks_inside = blocks_inside(shape_, tx, ty);
-    std::vector<BlockValues> differences(kBlocksPerTile, BlockValues(size_));
-    for (unsigned k = 0; k < kBlocksPerTile; ++k) {
-      if (has_bit(context_.blocks_inside, k)) differences[k] = difference(tx, ty, k);
+    // A tile whose whole error is worth less than a record stays empty.
+    const auto error = static_cast<int64_t>(tile_error(left(tx, 0), top(ty, 0)));
+    const int64_t record = rules_.lossless ? 0 : kLeastResidualBits;
+    if (rules_.lambda.cost(error, 0) <= rules_.lambda.cost(0, record)) {
+      return encoded_.code.append({});
     }
-    const ResidualTile tile = decide_residuals(differences, context_, rules_);
+    context_.blocks_inside = blocks_inside(shape_, tx, ty);
+    for (unsigned k = 0; k < kBlocksPerTile; ++k) {
+      if (has_bit(context_.blocks_inside, k)) subtract(tx, ty, k, differences_[k]);
+    }
+    const ResidualTile tile = decide_residuals(differences_, context_, rules_);
     encoded_.code.append(write_residual_tile(tile, context_));
     size_t m = 0;
     for (unsigned k = 0; k < kBlocksPerTile; ++k) {
       if (has_bit(tile.mask, k)) add(tx, ty, k, tile.blocks[m++]);
     }
+  }
+
+  // The squared error of the prediction in the tile from (x, y) on.
+  uint64_t tile_error(uint32_t x, uint32_t y) const {
+    const uint32_t side = kTileBlocks * size_;
+    const uint32_t columns = std::min(side, shape_.width - x);
+    const uint32_t end = std::min(y + side, shape_.height);
+    std::array<uint32_t, kTileBlocks * kMaxBlockSize / 4> squares{};
+    uint64_t sum = 0;
+    for (; y < end; y += 4) {
+      square_errors({original_.row(y).data() + x, original_.width, prediction_.width, columns,
+                     std::min(4u, end - y)},
+                    prediction_.row(y).data() + x, squares.data());
+      sum = std::accumulate(squares.begin(), squares.begin() + ceil_div(columns, 4u), sum);
+    }
+    return sum;
   }
 
   uint32_t left(uint32_t tx, unsigned k) const {
@@ -57,18 +82,17 @@ class ResidualEncoder {
   uint32_t top(uint32_t ty, unsigned k) const { return (ty * kTileBlocks + block_row(k)) * size_; }
 
   // 0 outside the plane, where values have no meaning.
-  BlockValues difference(uint32_t tx, uint32_t ty, unsigned k) const {
-    BlockValues block(size_);
+  void subtract(uint32_t tx, uint32_t ty, unsigned k, BlockValues& block) const {
+    const uint32_t x = left(tx, k);
     for (unsigned j = 0; j < size_; ++j) {
       const uint32_t y = top(ty, k) + j;
+      const int16_t* original = original_.row(y).data() + x;
+      const int16_t* prediction = prediction_.row(y).data() + x;
       for (unsigned i = 0; i < size_; ++i) {
-        const uint32_t x = left(tx, k) + i;
-        if (x < shape_.width && y < shape_.height) {
-          block.at(i, j) = original_.at(x, y) - prediction_.at(x, y);
-        }
+        const bool inside = x + i < shape_.width && y < shape_.height;
+        block.at(i, j) = inside ? original[i] - prediction[i] : 0;
       }
     }
-    return block;
   }
 
   void add(uint32_t tx, uint32_t ty, unsigned k, const BlockValues& values) {
@@ -93,6 +117,7 @@ class ResidualEncoder {
   const SamplePlane& prediction_;
   const ResidualRules& rules_;
   TileContext context_;
+  std::vector<BlockValues> differences_{kBlocksPerTile, BlockValues(size_)};
   ResidualPlane encoded_;
 };
 

@@ -25,29 +25,17 @@ constexpr uint32_t kUsualGroup = 5;
 // is not, nothing is looked for with it.
 constexpr int kMaxRounds = 5;
 constexpr double kNextQuality = 2;
-constexpr double kNearQuality = 6;
-constexpr double kWeightStep = 1.35;
+constexpr double kNearQuality = 8;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
 
-// How much is tried.
-struct TrialEffort {
-  size_t images;
-  bool grid;  // also finer disparities and larger motion tiles
-  bool more;  // also rows and columns apart, and the weight of key images
-};
-
-TrialEffort trial_effort(Preset preset) {
-  switch (preset) {
-    case Preset::kFast:
-      return {6, false, false};
-    case Preset::kSlow:
-      return {32, true, true};
-    case Preset::kMedium:
-      break;
-  }
-  return {10, true, false};
+// Images that a trial codes.
+size_t trial_images(Preset preset) {
+  return preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 10 : 32;
 }
+
+// Whether finer disparities and larger motion tiles are tried, too.
+bool tries_grids(const EncodeParams& params) { return params.extended.preset != Preset::kFast; }
 
 // Sizes of groups that cut a line of `count` views into different numbers of groups, ascending.
 std::vector<uint32_t> group_sizes(uint32_t count) {
@@ -69,7 +57,6 @@ class CodingSearch {
         part_(part),
         probe_(probe),
         progress_(progress),
-        effort_(trial_effort(params.extended.preset)),
         lambda_(lambda_of_quality(params.extended.quality)),
         rows_(group_sizes(shape.rows)),
         cols_(group_sizes(shape.cols)),
@@ -83,14 +70,11 @@ class CodingSearch {
     }
     while (move(1, 1)) {
     }
-    if (!effort_.more) return;
-    while (move(-1, 0) || move(0, -1) || move(1, 0) || move(0, 1)) {
-    }
   }
 
   // Finer disparities and larger motion tiles, where `asked` leaves that open.
   void find_grid(const ExtendedParams& asked) {
-    if (!effort_.grid) return;
+    if (!tries_grids(best_)) return;
     EncodeParams tried = best_;
     tried.extended.disparity_grid = 4;
     if (asked.disparity_grid == 0 && best_.block_size <= 4) attempt(tried);
@@ -99,24 +83,11 @@ class CodingSearch {
     if (asked.motion_tile == 0) attempt(tried);
   }
 
-  // Finds the weight of key images: a factor that goes up or down as long as that is cheaper.
-  void find_key_weight(const ExtendedParams& asked) {
-    if (!effort_.more || asked.key_weight != 0) return;
-    for (const double factor : {kWeightStep, 1 / kWeightStep}) {
-      for (;;) {
-        EncodeParams tried = best_;
-        tried.extended.key_weight = factor * best_.extended.key_weight;
-        if (tried.extended.key_weight > 4 || tried.extended.key_weight < 0.25) break;
-        if (!attempt(tried)) break;
-      }
-    }
-  }
-
   const EncodeParams& best() const { return best_; }
 
-  // By how much its quality is above that of `goal`, as far as trials can say; 0 without one.
-  double quality_off(const EncodeGoal* goal) const {
-    return goal == nullptr ? 0 : goal->surplus_db(psnr_db(), best_result_.bits / 8) / kDbPerQuality;
+  // By how much it exceeds `goal`, as far as trials can say; 0 without one.
+  double surplus_db(const EncodeGoal* goal) const {
+    return goal == nullptr ? 0 : goal->surplus_db(psnr_db(), best_result_.bits / 8);
   }
 
  private:
@@ -128,7 +99,7 @@ class CodingSearch {
 
   TrialResult trial(const EncodeParams& params) const {
     if (progress_) progress_(0, uint64_t{shape_.rows} * shape_.cols);
-    return try_coding(shape_, part_, params, probe_, effort_.images);
+    return try_coding(shape_, part_, params, probe_, trial_images(params.extended.preset));
   }
 
   bool attempt(const EncodeParams& params) {
@@ -161,7 +132,6 @@ class CodingSearch {
   const ViewProvider& part_;
   const LightFieldProbe& probe_;
   const Progress& progress_;
-  TrialEffort effort_;
   Lambda lambda_;
   std::vector<uint32_t> rows_;
   std::vector<uint32_t> cols_;
@@ -204,28 +174,37 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
 }
 
 // Settles by trial what is open in `asked`; for a target the quality, too.
-void search_coding(const ViewProvider& views, const StreamHeader& header, const EncodeParams& asked,
-                   const EncodeGoal* goal, uint64_t cache_bytes, const Progress& progress,
+void search_coding(const LightFieldShape& shape, const ViewProvider& part,
+                   const EncodeParams& asked, const EncodeGoal* goal, const Progress& progress,
                    SettledCoding& settled) {
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
-  const CachedViews part(views, trial_part(views, header), cache_bytes);
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
+  std::pair<double, double> ends[2];  // nearest to the goal, below and above it: quality, surplus
+  bool known[2] = {false, false};
   for (int round = 0; round < kMaxRounds; ++round) {
-    CodingSearch search(views.shape(), part, found, settled.probe, progress);
-    const bool far = round == 0 && std::abs(search.quality_off(goal)) > kNearQuality;
+    CodingSearch search(shape, part, found, settled.probe, progress);
+    const double first = search.surplus_db(goal);
+    const bool far = round == 0 && std::abs(first) > kNearQuality * kDbPerQuality;
     if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
       if (open_groups) search.find_groups();
       search.find_grid(asked.extended);
-      search.find_key_weight(asked.extended);
       searched = found.extended.quality;
     }
     found = search.best();
     if (goal == nullptr) break;
-    const double quality = found.extended.quality - search.quality_off(goal);
-    const double moved = std::abs(quality - found.extended.quality);
-    found.extended.quality = std::round(std::clamp(quality, 0.0, 100.0) * 8) / 8;
-    if (moved < kNextQuality) break;
+    const double tried = found.extended.quality;
+    const double surplus = search.surplus_db(goal);
+    const auto& [coarse, fine] = ends;
+    known[surplus >= 0] = true;
+    ends[surplus >= 0] = {tried, surplus};
+    double next = tried - surplus / kDbPerQuality;
+    if (known[0] && known[1]) {
+      next = coarse.first +
+             (fine.first - coarse.first) * (coarse.second / (coarse.second - fine.second));
+    }
+    found.extended.quality = std::round(std::clamp(next, 0.0, 100.0) * 8) / 8;
+    if (std::abs(found.extended.quality - tried) < kNextQuality) break;
   }
 }
 
@@ -244,20 +223,19 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   }
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
   if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
-  if (found.extended.key_weight == 0) found.extended.key_weight = 1;
   if (!found.chroma) found.chroma = chroma_for(views, found, goal);
   const auto header = header_for(shape, found);
   if (!header || params.profile == Profile::kMain) return settled;
-  settled.probe = probe_light_field(views, *header);
+  const CachedViews part(views, trial_part(views, *header), cache_bytes);
+  settled.probe = probe_light_field(views, *header, part);
   if (params.lossless || !header->has(Feature::kMotionTiles) || header->tree_height > 0) {
     return settled;
   }
   const bool open_grid = params.extended.disparity_grid == 0 || params.extended.motion_tile == 0;
-  if (!open_groups && goal == nullptr &&
-      !(open_grid && trial_effort(params.extended.preset).grid)) {
+  if (!open_groups && goal == nullptr && !(open_grid && tries_grids(params))) {
     return settled;
   }
-  search_coding(views, *header, params, goal, cache_bytes, progress, settled);
+  search_coding(shape, part, params, goal, progress, settled);
   if (goal != nullptr && !params.chroma) {
     // A number of bytes says only now what chroma may cost.
     EncodeParams again = params;

@@ -141,7 +141,9 @@ class TargetSearch {
   }
 
   bool is_near(const Attempt& attempt) const {
-    return goal_.is_met(attempt.surplus_db) && std::abs(attempt.surplus_db) < goal_.tolerance_db();
+    // Where PSNR moves in large steps, a search would go on for little.
+    const double near = goal_.tolerance_db() * (goal_.is_least() ? 1 + attempts_ / 4 : 1);
+    return goal_.is_met(attempt.surplus_db) && std::abs(attempt.surplus_db) < near;
   }
 
   // Aims at the middle of what is near enough.
@@ -152,7 +154,11 @@ class TargetSearch {
     };
     if (!fine_) return axis_->finer(farther(off(*coarse_)));
     if (!coarse_) return axis_->coarser(farther(off(*fine_)));
-    return axis_->between(off(*fine_), off(*coarse_));
+    Attempt fine = off(*fine_);
+    Attempt coarse = off(*coarse_);
+    // What was tried long ago counts for less, or the other end would move on in small steps.
+    (last_is_fine_ ? coarse : fine).surplus_db /= 1 << std::min(times_in_row_ - 1, 10);
+    return axis_->between(fine, coarse);
   }
 
   // With the surplus as what the axis takes for a step comes to so far: on noise, PSNR hardly moves
@@ -175,7 +181,11 @@ class TargetSearch {
     const double psnr_db = psnr(stream.error.rgb_squares, samples, shape_.depth);
     const double surplus = goal_.surplus_db(psnr_db, static_cast<double>(stream.bytes.size()));
     const bool met = goal_.is_met(surplus);
-    (met == goal_.is_least() ? fine_ : coarse_) = Attempt{coarseness, surplus};
+    const bool is_fine = met == goal_.is_least();
+    (is_fine ? fine_ : coarse_) = Attempt{coarseness, surplus};
+    ++attempts_;
+    times_in_row_ = is_fine == last_is_fine_ ? times_in_row_ + 1 : 1;
+    last_is_fine_ = is_fine;
     if (met || !any_met_) best_ = std::move(stream);
     any_met_ = any_met_ || met;
   }
@@ -189,8 +199,11 @@ class TargetSearch {
   std::optional<Attempt> coarse_;  // the finest so far that is not
   EncodedStream best_;             // the last that meets the target, else the last
   bool any_met_ = false;
-  double last_off_ = 0;  // the surplus that farther() began with before, 0 at first
-  double pace_ = 1;      // times the steps that the axis takes
+  int attempts_ = 0;
+  bool last_is_fine_ = false;
+  int times_in_row_ = 0;  // that attempts ended there
+  double last_off_ = 0;   // the surplus that farther() began with before, 0 at first
+  double pace_ = 1;       // times the steps that the axis takes
 };
 
 }  // namespace

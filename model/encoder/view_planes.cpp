@@ -9,18 +9,18 @@
 namespace hmlfc {
 namespace {
 
-// The mean of the 2 x 2 square that ends at the plane's border where it must.
-int16_t square_mean(const SamplePlane& full, uint32_t x, uint32_t y) {
-  const uint32_t x1 = std::min(x + 1, full.width - 1);
-  const uint32_t y1 = std::min(y + 1, full.height - 1);
-  const int64_t sum = int64_t{full.at(x, y)} + full.at(x1, y) + full.at(x, y1) + full.at(x1, y1);
-  return static_cast<int16_t>(round_half_up_div(sum, 4));
-}
-
+// The mean of each 2 x 2 square, which ends at the plane's border where it must.
 SamplePlane halved(const SamplePlane& full) {
   SamplePlane half(ceil_div(full.width, 2u), ceil_div(full.height, 2u));
   for (uint32_t y = 0; y < half.height; ++y) {
-    for (uint32_t x = 0; x < half.width; ++x) half.row(y)[x] = square_mean(full, 2 * x, 2 * y);
+    const auto upper = full.row(2 * y);
+    const auto lower = full.row(std::min(2 * y + 1, full.height - 1));
+    const auto out = half.row(y);
+    for (uint32_t x = 0; x < half.width; ++x) {
+      const uint32_t x1 = std::min(2 * x + 1, full.width - 1);
+      const int32_t sum = upper[2 * x] + upper[x1] + lower[2 * x] + lower[x1];
+      out[x] = static_cast<int16_t>(round_shift(sum, 2));
+    }
   }
   return half;
 }
@@ -28,14 +28,13 @@ SamplePlane halved(const SamplePlane& full) {
 ImagePlanes full_planes(const RgbImage& view) {
   ImagePlanes planes;
   for (SamplePlane& plane : planes) plane = SamplePlane(view.width, view.height);
-  const uint16_t* pixel = view.samples.data();
-  for (uint32_t y = 0; y < view.height; ++y) {
-    for (uint32_t x = 0; x < view.width; ++x, pixel += 3) {
-      const YCoCg colour = forward_colour({pixel[0], pixel[1], pixel[2]});
-      planes[0].row(y)[x] = static_cast<int16_t>(colour.y);
-      planes[1].row(y)[x] = static_cast<int16_t>(colour.co);
-      planes[2].row(y)[x] = static_cast<int16_t>(colour.cg);
-    }
+  auto& [luma, orange, green] = planes;
+  for (size_t k = 0; k < luma.samples.size(); ++k) {
+    const uint16_t* pixel = view.samples.data() + 3 * k;
+    const YCoCg colour = forward_colour({pixel[0], pixel[1], pixel[2]});
+    luma.samples[k] = static_cast<int16_t>(colour.y);
+    orange.samples[k] = static_cast<int16_t>(colour.co);
+    green.samples[k] = static_cast<int16_t>(colour.cg);
   }
   return planes;
 }

@@ -53,6 +53,10 @@ inline V Add(V a, V b) {
   return a + b;
 }
 template <class V>
+inline V Sub(V a, V b) {
+  return a - b;
+}
+template <class V>
 inline V Mul(V a, V b) {
   return a * b;
 }

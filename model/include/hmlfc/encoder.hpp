@@ -42,8 +42,8 @@ struct ExtendedParams {
   /// open with 0: found by trial.
   unsigned disparity_grid = 0;
   unsigned motion_tile = 0;  ///< samples a side of a motion tile: 64 or 128, or open with 0, too
-  /// What the error of a key image weighs, to what it would weigh if every image predicted from it
-  /// showed 45 % of it: [1/4, 4], or open with 0: found by trial.
+  /// What the error of a key image in the images predicted from it weighs, as a multiple of what it
+  /// usually does: [1/4, 4]; 0 means 1.
   double key_weight = 0;
 };
 
