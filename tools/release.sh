@@ -52,6 +52,7 @@ run_release() {
   git -C "$root" archive --prefix="$name/" --output="$folder/$name.tar.gz" HEAD
   HMLFC_STATIC=ON stage wheel "$build/wheel.log" "$(debian_python)" -m pip wheel --no-build-isolation --no-deps -w "$folder" "$root"
   (tests=OFF; use_build static; build hmlfc_cli; cp "$build/tools/hmlfc" "$folder/$name-linux-$(uname -m)")
+  (tests=OFF; use_build windows; build hmlfc_cli; cp "$build/tools/hmlfc.exe" "$folder/$name-windows-x86_64.exe")
   cp "$root/Containerfile" "$folder"
   (cd "$folder" && rm ./*.sha256 && sha256sum -- [!S]* | tee SHA256SUMS)
   say "Sign SHA256SUMS, tag this commit v$version, publish all of $folder with the tag, and the image of its Containerfile.

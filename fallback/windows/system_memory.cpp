@@ -53,7 +53,8 @@ std::vector<wchar_t> wide(const char* name) {
 }  // namespace
 
 tl::expected<MappedFile, MapFailure> MappedFile::open(const char* path) {
-  // Others may write, rename and delete the file meanwhile, as they may in POSIX.
+  // Others may open the file meanwhile, but not replace it: Windows refuses that while it is
+  // mapped.
   const HANDLE opened = ::CreateFileW(wide(path).data(), GENERIC_READ,
                                       FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
                                       nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);

@@ -18,6 +18,7 @@ cmake -G Ninja -S "$source/tests/portable/alone" -B "$folder" -DCMAKE_BUILD_TYPE
   -DCMAKE_SYSTEM_PROCESSOR="$processor" -DCMAKE_C_COMPILER="$system-gcc$threads" -DCMAKE_CXX_COMPILER="$system-g++$threads"
 cmake --build "$folder" --target "${targets[@]}"
 if [[ $emulator == wine ]]; then  # a server that outlives the runs of the suite, whose processes end with each
+  mkdir -p "$WINEPREFIX"
   wineserver -p || true  # where one runs already
   trap 'wineserver -k' EXIT
   wine wineboot
