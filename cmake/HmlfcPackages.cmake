@@ -59,10 +59,7 @@ hmlfc_package(rtl hmlfc-rtl electronics "random access to light fields: decode u
 if(TARGET hmlfc_python)
   hmlfc_package(python python3-hmlfc python "random access to light fields: package for Python"
     "Views and parts of views as NumPy arrays.")
-  execute_process(COMMAND "${PYTHON_EXECUTABLE}" -c
-    "import sys; a, b = sys.version_info[:2]; print(f'python3 (>= {a}.{b}~), python3 (<< {a}.{b + 1}~)', end='')"
-    OUTPUT_VARIABLE python)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${python}, python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3-numpy")
 endif()
 
 include(CPack)

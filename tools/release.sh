@@ -50,12 +50,13 @@ run_release() {
   run_package "$folder" >/dev/null
   (run_sbom "$folder/$name.cdx.json") >/dev/null
   git -C "$root" archive --prefix="$name/" --output="$folder/$name.tar.gz" HEAD
-  stage wheel "$build/wheel.log" "$(debian_python)" -m pip wheel --no-build-isolation --no-deps -w "$folder" "$root"
+  HMLFC_STATIC=ON stage wheel "$build/wheel.log" "$(debian_python)" -m pip wheel --no-build-isolation --no-deps -w "$folder" "$root"
   (tests=OFF; use_build static; build hmlfc_cli; cp "$build/tools/hmlfc" "$folder/$name-linux-$(uname -m)")
+  (tests=OFF; use_build windows; build hmlfc_cli; cp "$build/tools/hmlfc.exe" "$folder/$name-windows-x86_64.exe")
   cp "$root/Containerfile" "$folder"
   (cd "$folder" && rm ./*.sha256 && sha256sum -- [!S]* | tee SHA256SUMS)
   say "Sign SHA256SUMS, tag this commit v$version, publish all of $folder with the tag, and the image of its Containerfile.
-Packages and wheel are for this release of Debian; $name-linux-$(uname -m) runs on any Linux."
+Packages are for this release of Debian; $name-linux-$(uname -m) runs on any Linux, the wheel where its name says."
 }
 
 # run_docs [FOLDER]: the reference of the API and the documents as a site.

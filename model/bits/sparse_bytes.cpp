@@ -1,7 +1,5 @@
 #include "bits/sparse_bytes.hpp"
 
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -17,21 +15,6 @@ uint64_t pages_in(uint64_t bytes) {
 }
 
 }  // namespace
-
-Reservation::Reservation(uint64_t bytes)
-    : bytes_(static_cast<size_t>(std::clamp<uint64_t>(bytes, 1, SIZE_MAX))), data_(nullptr) {
-  void* data = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
-                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (data != MAP_FAILED) data_ = static_cast<uint8_t*>(data);
-}
-
-Reservation::~Reservation() {
-  if (data_ != nullptr) ::munmap(data_, bytes_);
-}
-
-void Reservation::clear(uint64_t offset, uint64_t bytes) {
-  ::madvise(data_ + offset, static_cast<size_t>(bytes), MADV_DONTNEED);
-}
 
 SparseBytes::SparseBytes(uint64_t size)
     : size_(size),

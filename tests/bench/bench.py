@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77
 PACKAGES = {
     "numpy": "python3-numpy", "PIL": "python3-pil", "skimage": "python3-skimage", "matplotlib": "python3-matplotlib",
-    "hmlfc": "pybind11-dev (and build)",
+    "hmlfc": "python3-dev (and build)",
 }
 
 

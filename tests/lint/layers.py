@@ -62,6 +62,7 @@ ALLOWED = {
     "tools/cli": APPLICATIONS - {"tools/view"},
     "tools/view": APPLICATIONS,
     "fallback": {"model/bits", "model/encoder", "tools/io", "tools/remote"},
+    "fallback/windows": APPLICATIONS,
     "testbench/oracle": DECODER,
     "testbench/stimulus": {*DECODER, "testbench/oracle", "tools/scenes", "tools/vectors"},
     "testbench/unit": CHECKS,

@@ -8,7 +8,9 @@ import threading
 from pathlib import Path
 
 import numpy as np
-from python_case import DEEP, STREAM, VECTORS, CliTest, RangeServer, hmlfc, main, picture, read_pfm
+from python_case import (
+    DEEP, STREAM, VECTORS, CliTest, RangeServer, hmlfc, main, needs_addresses, picture, read_pfm
+)  # fmt: skip
 
 
 class LightFieldTest(CliTest):
@@ -107,6 +109,7 @@ class LightFieldTest(CliTest):
             data.clear()
         data.clear()
 
+    @needs_addresses
     def test_pickles_and_copies(self):
         with RangeServer(STREAM) as server:
             (self.folder / "k.hmlfc").symlink_to(STREAM)
@@ -145,6 +148,7 @@ class LightFieldTest(CliTest):
         with self.assertRaises(hmlfc.Error):
             lf[0, 1]
 
+    @needs_addresses
     def test_rigs(self):
         self.assertIsNone(self.lf.rig)
         positions = [[r, c / 4, 0.5] for r in range(5) for c in range(5)]
@@ -163,6 +167,7 @@ class LightFieldTest(CliTest):
         with self.assertRaisesRegex(ValueError, "qositions"):
             hmlfc.open(stream, check_sections=False).rig
 
+    @needs_addresses
     def test_an_address(self):
         with RangeServer(STREAM) as server:
             lf = hmlfc.open(server.address)

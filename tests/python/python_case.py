@@ -18,6 +18,17 @@ STREAM = VECTORS / "real" / "knights-extended.hmlfc"
 DEEP = VECTORS / "real" / "glass-depth10.hmlfc"
 
 
+def needs_addresses(test):
+    """The test, skipped where the package was built without libcurl."""
+
+    def run(self):
+        with self.assertRaises(OSError) as raised:
+            hmlfc.open("http://0.0.0.0:1/")
+        return self.skipTest("no libcurl") if "without libcurl" in str(raised.exception) else test(self)
+
+    return run
+
+
 def picture(file):
     """The samples of a PNG file, (height, width, 3), as they are stored."""
     found = read_png(file)

@@ -164,6 +164,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 ExitCode run(int count, char** arguments) {
   Task task;
   CLI::App program;
+  program.allow_windows_style_options(false);  // /name is a file, on every system
   add_commands(program, task);
   program.name("hmlfc");
   std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);

@@ -135,7 +135,7 @@ IoResult<void> write_file(const fs::path& target, std::span<const uint8_t> bytes
 }
 
 IoResult<MappedFile> map_file(const fs::path& path) {
-  auto mapped = MappedFile::open(path.c_str());
+  auto mapped = MappedFile::open(path.string().c_str());
   if (mapped) return std::move(*mapped);
   const auto [reason, number] = mapped.error();
   return number == 0 ? file_error(path, reason) : system_error(path, reason, number);

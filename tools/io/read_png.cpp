@@ -58,8 +58,9 @@ void take_profile(PngInput& input, std::span<const uint8_t> chunk) {
   const auto name_end = std::ranges::find(chunk, uint8_t{0});
   const auto start = static_cast<size_t>(name_end - chunk.begin()) + 2;
   if (start >= chunk.size()) return;
-  uLongf count = input.profile.size();
-  uncompress(input.profile.data(), &count, chunk.data() + start, chunk.size() - start);
+  uLongf count = static_cast<uLongf>(input.profile.size());
+  uncompress(input.profile.data(), &count, chunk.data() + start,
+             static_cast<uLong>(chunk.size() - start));
   input.profile_bytes = count;
 }
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <pybind11/pybind11.h>
-
 #include <hmlfc/trace.hpp>
+
+#include "python/object.hpp"
 
 namespace hmlfc::python {
 
@@ -21,11 +21,11 @@ class BlockTrace : public TraceSink {
   void on_vector(const VectorRecord& record) override { vectors_.push_back(record); }
 
   /// level, image, plane, block, tile, section, byte, bit, bits, name, clause, value.
-  pybind11::list fields() const;
+  Object fields() const;
   /// level, image, plane, block, reference, vector, clause.
-  pybind11::list vectors() const;
+  Object vectors() const;
   /// level, image, plane, block, stage, clause, values: (side, side) int32.
-  pybind11::list stages(pybind11::ssize_t side) const;
+  Object stages(size_t side) const;
 
  private:
   struct Stage {

@@ -8,31 +8,28 @@
 #include <utility>
 #include <vector>
 
-#include <pybind11/numpy.h>
-
 #include <hmlfc/encoder.hpp>
 
 #include "io/light_field_files.hpp"
 #include "io/stream_rig.hpp"
 #include "io/view_name.hpp"
+#include "python/arrays.hpp"
 #include "python/interrupt.hpp"
 #include "python/options.hpp"
 #include "python/raise.hpp"
-
-namespace py = pybind11;
 
 namespace hmlfc::python {
 namespace {
 
 // A light field to encode, and the names of its views.
 struct Field {
+  static constexpr const char* kName = "hmlfc.Field";
   LightField views;
   io::ViewList files;
   io::Notes notes;
 };
 
-Field read_folder(const py::kwargs& arguments) {
-  const Options given(arguments);
+Object folder_field(const Options& given) {
   const auto folder = given.get<std::string>("folder");
   io::ViewNaming naming;
   if (const auto grid = given.pair("grid", kMaxGrid)) {
@@ -44,63 +41,81 @@ Field read_folder(const py::kwargs& arguments) {
     const auto* found = std::ranges::find(io::kFrameOrders, *order,
                                           &std::pair<std::string_view, io::FrameOrder>::first);
     if (found == io::kFrameOrders.end()) {
-      throw py::value_error("order is raster, serpentine, columns or columns-serpentine, not " +
-                            *order);
+      throw Raised(PyExc_ValueError,
+                   "order is raster, serpentine, columns or columns-serpentine, not " + *order);
     }
     naming.order = found->second;
   }
-  return value_or_raise(interruptible([&](const auto& stop) -> io::IoResult<Field> {
-    Field field;
+  auto field = std::make_unique<Field>();
+  value_or_raise(interruptible([&](const auto& stop) -> io::IoResult<void> {
     auto files = io::list_views(folder, naming);
     if (!files) return tl::unexpected(files.error());
     const auto tell = [&](size_t, size_t) {
       if (stop) throw Stopped();
     };
-    auto views = io::load_light_field(*files, 0, tell, &field.notes);
+    auto views = io::load_light_field(*files, 0, tell, &field->notes);
     if (!views) return tl::unexpected(views.error());
-    field.files = std::move(*files);
-    field.views = std::move(*views);
-    return field;
+    field->files = std::move(*files);
+    field->views = std::move(*views);
+    return {};
   }));
+  return hold(std::move(field));
 }
 
-uint32_t side(py::ssize_t size, const char* what, uint32_t most) {
+uint32_t side(Py_ssize_t size, const char* what, uint32_t most) {
   if (size >= 1 && size <= most) return static_cast<uint32_t>(size);
-  throw py::value_error("views have " + std::to_string(size) + " " + what + ", not 1 to " +
-                        std::to_string(most));
+  throw Raised(PyExc_ValueError, "views have " + std::to_string(size) + " " + what + ", not 1 to " +
+                                     std::to_string(most));
 }
 
-// Views whose samples have at most `depth` bits.
+// Fills `views` from samples that lie as in an array of Python.
 template <class T>
-Field read_array(const py::array_t<T, py::array::c_style>& views, int depth) {
-  Field field;
-  io::ViewList& files = field.files;
-  files.rows = side(views.shape(0), "rows", kMaxGrid);
-  files.cols = side(views.shape(1), "columns", kMaxGrid);
-  const uint32_t height = side(views.shape(2), "rows of pixels", kMaxSide);
-  const uint32_t width = side(views.shape(3), "columns of pixels", kMaxSide);
-  const T* from = views.data();
-  const py::gil_scoped_release unlocked;
-  field.views = LightField({files.rows, files.cols, width, height, depth});
-  std::vector<uint16_t> samples(size_t{3} * width);
-  for (uint32_t r = 0; r < files.rows; ++r) {
-    for (uint32_t c = 0; c < files.cols; ++c) {
-      files.files.emplace_back(io::view_file_name(r, c, files.rows, files.cols));
-      for (uint32_t y = 0; y < height; ++y, from += samples.size()) {
-        std::copy_n(from, samples.size(), samples.begin());
-        field.views.write_row(r, c, y, samples);
+void fill(LightField& views, const void* samples) {
+  const LightFieldShape& shape = views.shape();
+  const T* from = static_cast<const T*>(samples);
+  std::vector<uint16_t> row(size_t{3} * shape.width);
+  for (uint32_t r = 0; r < shape.rows; ++r) {
+    for (uint32_t c = 0; c < shape.cols; ++c) {
+      for (uint32_t y = 0; y < shape.height; ++y, from += row.size()) {
+        std::copy_n(from, row.size(), row.begin());
+        views.write_row(r, c, y, row);
       }
     }
   }
-  return field;
+}
+
+// Of an array of five dimensions in C's order, whose samples have at most `depth` bits.
+Object array_field(const Options& given) {
+  const Buffer pixels(given.object("pixels"), PyBUF_ND);
+  const Py_buffer& view = pixels.view();
+  auto field = std::make_unique<Field>();
+  io::ViewList& files = field->files;
+  files.rows = side(view.shape[0], "rows", kMaxGrid);
+  files.cols = side(view.shape[1], "columns", kMaxGrid);
+  const uint32_t height = side(view.shape[2], "rows of pixels", kMaxSide);
+  const uint32_t width = side(view.shape[3], "columns of pixels", kMaxSide);
+  const int depth = given.get<int>("depth");
+  {
+    const Unlocked unlocked;
+    field->views = LightField({files.rows, files.cols, width, height, depth});
+    for (uint32_t i = 0; i < files.rows * files.cols; ++i) {
+      files.files.emplace_back(
+          io::view_file_name(i / files.cols, i % files.cols, files.rows, files.cols));
+    }
+    if (view.itemsize == 1) {
+      fill<uint8_t>(field->views, view.buf);
+    } else {
+      fill<uint16_t>(field->views, view.buf);
+    }
+  }
+  return hold(std::move(field));
 }
 
 template <class T>
-py::array pixels_as(const LightField& views) {
+Object pixels_as(const LightField& views) {
   const LightFieldShape& shape = views.shape();
-  py::array_t<T> pixels(
-      std::vector<py::ssize_t>{shape.rows, shape.cols, shape.height, shape.width, 3});
-  T* to = pixels.mutable_data();
+  Array<T> pixels({shape.rows, shape.cols, shape.height, shape.width, 3});
+  T* to = pixels.data();
   std::vector<uint16_t> samples(size_t{3} * shape.width);
   for (uint32_t r = 0; r < shape.rows; ++r) {
     for (uint32_t c = 0; c < shape.cols; ++c) {
@@ -110,7 +125,7 @@ py::array pixels_as(const LightField& views) {
       }
     }
   }
-  return pixels;
+  return pixels.object();
 }
 
 EncodeParams params_of(const Options& given) {
@@ -128,7 +143,7 @@ EncodeParams params_of(const Options& given) {
   params.tree_height = given.get<int>("tree_height", 0, kMaxTreeHeight);
   params.block_size = given.get<unsigned>("block_size");
   if (params.block_size != 2 && params.block_size != 4 && params.block_size != 8) {
-    throw py::value_error("block_size is 2, 4 or 8");
+    throw Raised(PyExc_ValueError, "block_size is 2, 4 or 8");
   }
   params.window = given.get<int>("window", 0, kMaxWindow);
   if (const auto references = given.pair("references", 255)) {
@@ -158,7 +173,7 @@ std::optional<io::ChosenRig> rig_of(const Field& field, const Options& given) {
   }
   if (const auto text = given.get<std::optional<std::string>>("rig_text")) {
     auto rig = io::parse_rig(io::bytes_of(*text), field.files.files.size());
-    if (!rig) throw py::value_error("rig: " + rig.error());
+    if (!rig) throw Raised(PyExc_ValueError, "rig: " + rig.error());
     return io::ChosenRig{std::move(*rig)};
   }
   if (!given.get<bool>("rig_of_views")) return std::nullopt;
@@ -166,8 +181,8 @@ std::optional<io::ChosenRig> rig_of(const Field& field, const Options& given) {
 }
 
 // The stream, its PSNR over RGB, and the most bytes that were asked for or None.
-py::tuple encode_field(const Field& field, const py::kwargs& arguments) {
-  const Options given(arguments);
+Object encode_field(const Options& given) {
+  const Field& field = given.held<Field>("field");
   const EncodeParams params = params_of(given);
   const auto rig = rig_of(field, given);
   const LightFieldShape& shape = field.views.shape();
@@ -175,13 +190,13 @@ py::tuple encode_field(const Field& field, const py::kwargs& arguments) {
   std::optional<EncodeTarget> target;
   if (const auto least = given.get<double>("target_psnr", 1, 100)) target = TargetPsnr{*least};
   if (most) target = TargetBytes{*most - std::min(*most - 1, rig ? most_rig_bytes(*rig) : 0)};
-  const auto progress = given.get<std::optional<py::function>>("progress");
+  const auto progress = given.get<std::optional<Function>>("progress");
   auto encoded = interruptible([&](const auto& stop) {
     const auto tell = [&](uint64_t done, uint64_t total) {
       if (stop) throw Stopped();
       if (!progress) return;
-      const py::gil_scoped_acquire locked;
-      (*progress)(done, total);
+      const Locked locked;
+      Object(PyObject_CallObject(progress->object.get(), tuple_of(done, total).get()));
     };
     auto stream =
         target ? encode_to(field.views, params, *target, tell) : encode(field.views, params, tell);
@@ -189,36 +204,35 @@ py::tuple encode_field(const Field& field, const py::kwargs& arguments) {
     return stream;
   });
   if (!encoded && encoded.error().out_of_memory) throw std::bad_alloc();
-  if (!encoded) throw py::value_error(encoded.error().message);
+  if (!encoded) throw Raised(PyExc_ValueError, encoded.error().message);
   const uint64_t samples = uint64_t{3} * shape.rows * shape.cols * shape.width * shape.height;
   const auto& bytes = encoded->bytes;
-  return py::make_tuple(py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size()),
-                        psnr(encoded->error.rgb_squares, samples, shape.depth), most);
+  const Object stream(
+      PyBytes_FromStringAndSize(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes)));
+  return tuple_of(stream, psnr(encoded->error.rgb_squares, samples, shape.depth), most);
 }
 
-py::list notes_of(const Field& field) {
-  py::list notes;
-  for (const std::string& line : field.files.notes) notes.append(message_of(line));
-  for (const std::string& line : field.notes.lines()) notes.append(message_of(line));
-  return notes;
+Object field_facts(const Options& given) {
+  const Field& field = given.held<Field>("field");
+  std::vector<Object> notes;
+  for (const std::string& line : field.files.notes) notes.push_back(message_of(line));
+  for (const std::string& line : field.notes.lines()) notes.push_back(message_of(line));
+  return tuple_of(field.views.shape().depth, notes);
+}
+
+Object field_pixels(const Options& given) {
+  const LightField& views = given.held<Field>("field").views;
+  return views.shape().depth == 8 ? pixels_as<uint8_t>(views) : pixels_as<uint16_t>(views);
 }
 
 }  // namespace
 
-void add_encode(py::module_& module) {
-  py::class_<Field>(module, "Field")
-      .def_static("from_folder", &read_folder)
-      .def_static("from_array", &read_array<uint8_t>)
-      .def_static("from_array", &read_array<uint16_t>)
-      .def_property_readonly("depth", [](const Field& f) { return f.views.shape().depth; })
-      .def_property_readonly("notes", &notes_of)
-      .def("pixels",
-           [](const Field& f) {
-             const LightField& views = f.views;
-             return views.shape().depth == 8 ? pixels_as<uint8_t>(views)
-                                             : pixels_as<uint16_t>(views);
-           })
-      .def("encode", &encode_field);
+void add_encode(std::vector<PyMethodDef>& methods) {
+  methods.push_back(method<&folder_field>("folder_field"));
+  methods.push_back(method<&array_field>("array_field"));
+  methods.push_back(method<&field_facts>("field_facts"));
+  methods.push_back(method<&field_pixels>("field_pixels"));
+  methods.push_back(method<&encode_field>("encode"));
 }
 
 }  // namespace hmlfc::python

@@ -1,11 +1,14 @@
 // Encoding from Python.
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include <vector>
+
+#include "python/object.hpp"
 
 namespace hmlfc::python {
 
-/// Adds class Field to the module: from_folder() and from_array(), pixels(), encode().
-void add_encode(pybind11::module_& module);
+/// Adds what encodes: folder_field() and array_field() make a field, which field_facts(),
+/// field_pixels() and encode() take.
+void add_encode(std::vector<PyMethodDef>& methods);
 
 }  // namespace hmlfc::python

@@ -6,7 +6,7 @@
 #include <future>
 #include <optional>
 
-#include <pybind11/pybind11.h>
+#include "python/object.hpp"
 
 namespace hmlfc::python {
 
@@ -20,10 +20,10 @@ template <class Work>
 auto interruptible(const Work& work) {
   std::atomic<bool> stop = false;
   auto result = std::async(std::launch::async, [&] { return work(stop); });
-  std::optional<pybind11::error_already_set> raised;
+  std::optional<Raised> raised;
   for (;;) {
     {
-      const pybind11::gil_scoped_release unlocked;
+      const Unlocked unlocked;
       const auto status = result.wait_for(std::chrono::milliseconds(50));
       if (status == std::future_status::ready) break;
     }

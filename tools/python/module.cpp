@@ -1,13 +1,24 @@
 // The module hmlfc._core, on which the package hmlfc is written.
-#include <pybind11/pybind11.h>
-
 #include <hmlfc/version.hpp>
 
 #include "python/encode.hpp"
 #include "python/stream.hpp"
 
-PYBIND11_MODULE(_core, module) {
-  module.attr("version") = hmlfc::library_version();
-  hmlfc::python::add_stream(module);
-  hmlfc::python::add_encode(module);
+PyMODINIT_FUNC PyInit__core() {
+  static std::vector<PyMethodDef> methods;
+  hmlfc::python::add_stream(methods);
+  hmlfc::python::add_encode(methods);
+  methods.push_back({});
+  static PyModuleDef definition = {PyModuleDef_HEAD_INIT,
+                                   "_core",
+                                   nullptr,
+                                   -1,
+                                   methods.data(),
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr};
+  PyObject* module = PyModule_Create(&definition);
+  if (module != nullptr) PyModule_AddStringConstant(module, "version", HMLFC_VERSION);
+  return module;
 }

@@ -1,36 +1,142 @@
-// Keyword arguments of functions with many.
+// Arguments of the module's functions, all of which have names.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
+#include "python/object.hpp"
 
 namespace hmlfc::python {
+
+/// What can be called.
+struct Function {
+  Object object{Py_NewRef(Py_None)};
+};
+
+/// read(from, to): whether `from` is a T, which `to` becomes. Clears what was raised.
+inline bool nothing_raised() {
+  const bool nothing = PyErr_Occurred() == nullptr;
+  PyErr_Clear();
+  return nothing;
+}
+
+inline bool read(PyObject* from, bool& to) {
+  to = PyObject_IsTrue(from) == 1;
+  return nothing_raised();
+}
+
+template <std::integral T>
+bool read(PyObject* from, T& to) {
+  PyObject* index = PyNumber_Index(from);
+  if (index == nullptr) return nothing_raised();
+  const Object number(index);
+  if constexpr (std::is_unsigned_v<T>) {
+    const auto value = PyLong_AsUnsignedLongLong(number.get());
+    to = static_cast<T>(value);
+    return nothing_raised() && std::in_range<T>(value);
+  } else {
+    const auto value = PyLong_AsLongLong(number.get());
+    to = static_cast<T>(value);
+    return nothing_raised() && std::in_range<T>(value);
+  }
+}
+
+inline bool read(PyObject* from, double& to) {
+  to = PyFloat_AsDouble(from);
+  return nothing_raised();
+}
+
+inline bool read(PyObject* from, std::string& to) {
+  Py_ssize_t size = 0;
+  char* bytes = nullptr;
+  const char* text = nullptr;
+  if (PyBytes_Check(from) && PyBytes_AsStringAndSize(from, &bytes, &size) == 0) text = bytes;
+  if (PyUnicode_Check(from)) text = PyUnicode_AsUTF8AndSize(from, &size);
+  if (text != nullptr) to.assign(text, static_cast<size_t>(size));
+  return nothing_raised() && text != nullptr;
+}
+
+inline bool read(PyObject* from, Function& to) {
+  to.object = Object(Py_NewRef(from));
+  return PyCallable_Check(from) != 0;
+}
+
+template <class T>
+bool read_item(PyObject* sequence, size_t at, T& to) {
+  PyObject* item = PySequence_GetItem(sequence, static_cast<Py_ssize_t>(at));
+  if (item == nullptr) return nothing_raised();
+  return read(Object(item).get(), to);
+}
+
+inline size_t size_of(PyObject* sequence) {
+  const Py_ssize_t size = PySequence_Check(sequence) != 0 ? PySequence_Size(sequence) : -1;
+  return nothing_raised() ? static_cast<size_t>(size) : SIZE_MAX;
+}
+
+template <class T, class U>
+bool read(PyObject* from, std::pair<T, U>& to) {
+  return size_of(from) == 2 && read_item(from, 0, to.first) && read_item(from, 1, to.second);
+}
+
+/// An array, of as many, or a vector, of any number.
+template <class List>
+requires requires(List list) { list.front(); }
+bool read(PyObject* from, List& to) {
+  const size_t size = size_of(from);
+  if constexpr (requires { to.resize(size); }) {
+    if (size == SIZE_MAX) return false;
+    to.resize(size);
+  }
+  if (size != to.size()) return false;
+  for (size_t i = 0; i < size; ++i) {
+    if (!read_item(from, i, to[i])) return false;
+  }
+  return true;
+}
+
+template <class T>
+bool read(PyObject* from, std::optional<T>& to) {
+  return Py_IsNone(from) != 0 || read(from, to.emplace());
+}
 
 /// Reads arguments by name; the package passes all that are read. What is raised names them.
 class Options {
  public:
-  explicit Options(const pybind11::kwargs& given) : given_(given) {}
+  explicit Options(PyObject* given) : given_(given) {}
+
+  /// The argument `name` itself.
+  PyObject* object(const char* name) const {
+    PyObject* value = given_ != nullptr ? PyDict_GetItemString(given_, name) : nullptr;
+    if (value == nullptr) throw Raised(PyExc_TypeError, std::string(name) + " is missing");
+    return value;
+  }
 
   /// The argument `name` as a T. Raises TypeError, or ValueError for a number that T cannot hold;
   /// either says what is `wanted`.
   template <class T>
   T get(const char* name, const std::string& wanted = "") const {
-    const pybind11::object value = given_[name];
-    try {
-      return value.cast<T>();
-    } catch (const pybind11::cast_error&) {
-      const std::string says =
-          name + (" cannot be " + pybind11::repr(value).cast<std::string>()) + wanted;
-      if (PyNumber_Check(value.ptr()) != 0) throw pybind11::value_error(says);
-      throw pybind11::type_error(says);
-    }
+    PyObject* value = object(name);
+    T result{};
+    if (read(value, result)) return result;
+    std::string shown;
+    read(Object(PyObject_Repr(value)).get(), shown);
+    throw Raised(PyNumber_Check(value) != 0 ? PyExc_ValueError : PyExc_TypeError,
+                 name + (" cannot be " + shown) + wanted);
+  }
+
+  /// What hold() made of a T.
+  template <class T>
+  T& held(const char* name) const {
+    void* value = PyCapsule_GetPointer(object(name), T::kName);
+    if (value == nullptr) throw Raised();
+    return *static_cast<T*>(value);
   }
 
   /// The same of a number, or None, which lies in [least, most].
@@ -38,8 +144,8 @@ class Options {
   std::optional<T> get(const char* name, int64_t least, int64_t most) const {
     const auto value = get<std::optional<T>>(name);
     if (!value || (*value >= static_cast<T>(least) && *value <= static_cast<T>(most))) return value;
-    throw pybind11::value_error(name + (" lies in [" + std::to_string(least)) + ", " +
-                                std::to_string(most) + "]");
+    throw Raised(PyExc_ValueError,
+                 name + (" lies in [" + std::to_string(least)) + ", " + std::to_string(most) + "]");
   }
 
   /// (rows, columns), each in [1, most], or None.
@@ -49,8 +155,8 @@ class Options {
                    std::max(value->first, value->second) <= most)) {
       return value;
     }
-    throw pybind11::value_error(name +
-                                (" is (rows, columns), each in [1, " + std::to_string(most)) + "]");
+    throw Raised(PyExc_ValueError,
+                 name + (" is (rows, columns), each in [1, " + std::to_string(most)) + "]");
   }
 
   /// The meaning of the text `name`, one of `choices`.
@@ -62,12 +168,34 @@ class Options {
       if (value == text) return meaning;
       names += (names.empty() ? "'" : ", '") + std::string(text) + "'";
     }
-    throw pybind11::value_error(std::string(name) + " is one of " + names + ", not '" + value +
-                                "'");
+    throw Raised(PyExc_ValueError,
+                 std::string(name) + " is one of " + names + ", not '" + value + "'");
   }
 
  private:
-  const pybind11::kwargs& given_;
+  PyObject* given_;
 };
+
+/// A function of the module, whose exceptions become Python's.
+template <Object (*kFunction)(const Options&)>
+PyObject* called(PyObject*, PyObject*, PyObject* given) noexcept {
+  try {
+    return kFunction(Options(given)).release();
+  } catch (const Raised& raised) {
+    raised.raise_again();
+  } catch (const std::bad_alloc&) {
+    PyErr_NoMemory();
+  } catch (const std::exception& exception) {
+    PyErr_SetString(PyExc_RuntimeError, exception.what());
+  }
+  return nullptr;
+}
+
+/// A row of the module's table of functions.
+template <Object (*kFunction)(const Options&)>
+PyMethodDef method(const char* name) {
+  const auto function = reinterpret_cast<void (*)()>(&called<kFunction>);
+  return {name, reinterpret_cast<PyCFunction>(function), METH_VARARGS | METH_KEYWORDS, nullptr};
+}
 
 }  // namespace hmlfc::python

@@ -17,17 +17,15 @@
 #include "python/interrupt.hpp"
 #include "python/options.hpp"
 
-namespace py = pybind11;
-
 namespace hmlfc::python {
 
-Stream::Stream(std::optional<py::buffer_info> buffer, std::unique_ptr<ByteSource> source,
-               bool is_remote, bool check_sections)
+Stream::Stream(std::optional<Buffer> buffer, std::unique_ptr<ByteSource> source, bool is_remote,
+               bool check_sections)
     : buffer_(std::move(buffer)), source_(std::move(source)), is_remote_(is_remote) {
   OpenOptions options;
   options.check_sections = check_sections;
   auto opened = [&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return Decoder::open(*source_, options);
   }();
   decoder_ = value(std::move(opened));
@@ -43,7 +41,7 @@ std::unique_ptr<Stream> Stream::from_file(const std::string& path, bool check_se
   using Source = std::unique_ptr<ByteSource>;
   const bool is_remote = remote::is_address(path);
   auto source = value_or_raise([&]() -> io::IoResult<Source> {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     if (is_remote) return remote::HttpSource::open(path).map([](auto s) -> Source { return s; });
     return io::FileSource::open(path).map([](auto s) -> Source { return s; });
   }());
@@ -51,15 +49,13 @@ std::unique_ptr<Stream> Stream::from_file(const std::string& path, bool check_se
       new Stream(std::nullopt, std::move(source), is_remote, check_sections && !is_remote));
 }
 
-std::unique_ptr<Stream> Stream::from_buffer(const py::buffer& buffer, bool check_sections) {
-  py::buffer_info info = buffer.request();
-  if (info.ndim != 1 || info.itemsize != 1 || info.strides.front() != 1) {
-    throw py::type_error("a stream in memory is one contiguous sequence of bytes");
-  }
-  const std::span<const uint8_t> bytes(static_cast<const uint8_t*>(info.ptr),
-                                       static_cast<size_t>(info.size));
+std::unique_ptr<Stream> Stream::from_buffer(PyObject* object, bool check_sections) {
+  Buffer buffer(object, PyBUF_SIMPLE);
+  const Py_buffer& view = buffer.view();
+  const std::span<const uint8_t> bytes(static_cast<const uint8_t*>(view.buf),
+                                       static_cast<size_t>(view.len));
   return std::unique_ptr<Stream>(
-      new Stream(std::move(info), std::make_unique<MemorySource>(bytes), false, check_sections));
+      new Stream(std::move(buffer), std::make_unique<MemorySource>(bytes), false, check_sections));
 }
 
 namespace {
@@ -99,55 +95,55 @@ Result<void> read_part(const Decoder& decoder, const Part& part, int stop_level,
 }
 
 template <class T>
-Result<py::array> array_of_part(const Decoder& decoder, const Part& part, int stop_level) {
-  const std::array sizes{part.rows.size(), part.cols.size(), part.ys.size(), part.xs.size(),
-                         size_t{3}};
-  py::array_t<T> array(std::vector<py::ssize_t>(sizes.begin(), sizes.end()));
-  if (array.size() == 0) return array;
-  T* out = array.mutable_data();
+Result<Object> array_of_part(const Decoder& decoder, const Part& part, int stop_level) {
+  const size_t views = part.rows.size() * part.cols.size();
+  Array<T> array({part.rows.size(), part.cols.size(), part.ys.size(), part.xs.size(), 3});
+  if (array.size() == 0) return array.object();
+  T* out = array.data();
   const auto read = [&](const std::atomic<bool>& stop) {
     return read_part(decoder, part, stop_level, out, stop);
   };
   const auto done = [&] {
-    if (sizes[0] * sizes[1] > 1) return interruptible(read);
-    const py::gil_scoped_release unlocked;
+    if (views > 1) return interruptible(read);
+    const Unlocked unlocked;
     return read(false);
   }();
   if (!done) return tl::unexpected(done.error());
-  return array;
+  return array.object();
 }
 
 }  // namespace
 
-py::array Stream::pixels(const Part& part, int stop_level) const {
+Object Stream::pixels(const Part& part, int stop_level) const {
   return value(header().depth == 8 ? array_of_part<uint8_t>(*decoder_, part, stop_level)
                                    : array_of_part<uint16_t>(*decoder_, part, stop_level));
 }
 
-py::object Stream::block(const BlockAddress& block, int stop_level, bool traced) const {
+Object Stream::block(const BlockAddress& block, int stop_level, bool traced) const {
   BlockTrace trace;
   BlockOptions options;
   options.stop_level = stop_level;
   options.trace = traced ? &trace : nullptr;
   auto decoded = [&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return decoder_->decode_block(block, options);
   }();
   if (!decoded && decoded.error().code == ErrorCode::kBadRequest) {
-    throw py::index_error("block " + std::to_string(block.bx) + "," + std::to_string(block.by) +
-                          " of plane " + std::string(plane_name(block.plane)) + " does not exist");
+    throw Raised(PyExc_IndexError, "block " + std::to_string(block.bx) + "," +
+                                       std::to_string(block.by) + " of plane " +
+                                       std::string(plane_name(block.plane)) + " does not exist");
   }
-  const py::ssize_t side = header().block_size();
-  py::array samples = array_of(value(std::move(decoded)), {side, side});
+  const size_t side = header().block_size();
+  const Object samples = array_of<int32_t>(value(std::move(decoded)), {side, side});
   if (!traced) return samples;
-  return py::make_tuple(samples, trace.fields(), trace.vectors(), trace.stages(side));
+  return tuple_of(samples, trace.fields(), trace.vectors(), trace.stages(side));
 }
 
-py::tuple Stream::disparity(ViewPos view) const {
+Object Stream::disparity(ViewPos view) const {
   std::vector<int16_t> disparities;
   std::vector<uint8_t> confidences;
   auto map = [&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     auto found = disparity_map(*decoder_, view);
     if (!found) return found;
     for (const BlockDisparity& block : found->blocks) {
@@ -157,38 +153,36 @@ py::tuple Stream::disparity(ViewPos view) const {
     return found;
   }();
   const DisparityMap found = value(std::move(map));
-  const auto rows = static_cast<py::ssize_t>(found.blocks.size() / found.columns);
-  const py::ssize_t columns = found.columns;
-  return py::make_tuple(array_of(std::move(disparities), {rows, columns}),
-                        array_of(std::move(confidences), {rows, columns}));
+  const std::vector<size_t> shape{found.blocks.size() / found.columns, found.columns};
+  return tuple_of(array_of<int16_t>(disparities, shape), array_of<uint8_t>(confidences, shape));
 }
 
-py::object Stream::rig() const {
+Object Stream::rig() const {
   const io::MaybeRig found = value([&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return io::rig_in_stream(*source_, header());
   }());
-  if (!found) return py::none();
-  if (!*found) throw py::value_error(found->error());
-  return py::str((*found)->text);
+  if (!found) return object_of(std::optional<int>());
+  if (!*found) throw Raised(PyExc_ValueError, found->error());
+  return object_of((*found)->text);
 }
 
 std::string Stream::info() const {
   return io::json_text(value([&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return io::info_json(*decoder_, *source_);
   }()));
 }
 
-py::array Stream::render(const Camera& camera, int stop_level) {
+Object Stream::render(const Camera& camera, int stop_level) {
   const auto record = frame_record(camera, header());
   if (!record) {
     const std::string& text = record.error().message;  // frame_width is here width
-    throw py::value_error(text.substr(text.starts_with("frame_") ? 6 : 0));
+    throw Raised(PyExc_ValueError, text.substr(text.starts_with("frame_") ? 6 : 0));
   }
   RgbImage image;
   auto rendered = [&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const std::lock_guard lock(rendering_);
     if (!renderer_) renderer_ = make_cpu_renderer(*decoder_);
     auto result = renderer_->render(*record, stop_level, frame_);
@@ -201,7 +195,6 @@ py::array Stream::render(const Camera& camera, int stop_level) {
 
 namespace {
 
-using Places = std::vector<uint32_t>;
 using Triple = std::array<double, 3>;
 
 std::optional<WorldPoint> point_of(const Options& given, const char* name) {
@@ -211,8 +204,8 @@ std::optional<WorldPoint> point_of(const Options& given, const char* name) {
   return WorldPoint{(*point)[0], (*point)[1], (*point)[2]};
 }
 
-py::array render(Stream& stream, const py::kwargs& arguments) {
-  const Options given(arguments);
+Object render(const Options& given) {
+  auto& stream = given.held<Stream>("stream");
   Camera camera;
   camera.position = point_of(given, "position");
   camera.look_at = point_of(given, "look_at");
@@ -240,43 +233,68 @@ Plane plane_of(const std::string& name) {
   for (const Plane plane : kPlanes) {
     if (name == plane_name(plane)) return plane;
   }
-  throw py::value_error("plane is 'Y', 'Co' or 'Cg', not '" + name + "'");
+  throw Raised(PyExc_ValueError, "plane is 'Y', 'Co' or 'Cg', not '" + name + "'");
+}
+
+Object open_file(const Options& given) {
+  return hold(Stream::from_file(given.get<std::string>("path"), given.get<bool>("check_sections")));
+}
+
+Object open_buffer(const Options& given) {
+  return hold(Stream::from_buffer(given.object("buffer"), given.get<bool>("check_sections")));
+}
+
+Object facts(const Options& given) {
+  const auto& stream = given.held<Stream>("stream");
+  const StreamHeader& header = stream.header();
+  Object dict(PyDict_New());
+  put(dict, "shape", tuple_of(header.rows, header.cols, header.height, header.width, 3));
+  put(dict, "depth", header.depth);
+  put(dict, "tree_height", header.tree_height);
+  put(dict, "block_size", header.block_size());
+  put(dict, "profile", profile_name(header.profile));
+  put(dict, "features", io::tools_of(header));
+  put(dict, "is_remote", stream.is_remote());
+  return dict;
+}
+
+Object rig(const Options& given) { return given.held<Stream>("stream").rig(); }
+
+Object info(const Options& given) { return object_of(given.held<Stream>("stream").info()); }
+
+Object pixels(const Options& given) {
+  const auto places = [&](const char* name) { return given.get<std::vector<uint32_t>>(name); };
+  return given.held<Stream>("stream").pixels(
+      {places("rows"), places("cols"), places("ys"), places("xs")}, given.get<int>("stop_level"));
+}
+
+ViewPos view_of(const Options& given) {
+  return {given.get<uint32_t>("row"), given.get<uint32_t>("col")};
+}
+
+Object block(const Options& given) {
+  const BlockAddress address{view_of(given), plane_of(given.get<std::string>("plane")),
+                             given.get<uint32_t>("bx"), given.get<uint32_t>("by")};
+  return given.held<Stream>("stream").block(address, given.get<int>("stop_level"),
+                                            given.get<bool>("traced"));
+}
+
+Object disparity(const Options& given) {
+  return given.held<Stream>("stream").disparity(view_of(given));
 }
 
 }  // namespace
 
-void add_stream(py::module_& module) {
-  py::class_<Stream>(module, "Stream")
-      .def_static("from_file", &Stream::from_file)
-      .def_static("from_buffer", &Stream::from_buffer)
-      .def_property_readonly("shape",
-                             [](const Stream& s) {
-                               const StreamHeader& h = s.header();
-                               return py::make_tuple(h.rows, h.cols, h.height, h.width, 3);
-                             })
-      .def_property_readonly("depth", [](const Stream& s) { return s.header().depth; })
-      .def_property_readonly("tree_height", [](const Stream& s) { return s.header().tree_height; })
-      .def_property_readonly("block_size", [](const Stream& s) { return s.header().block_size(); })
-      .def_property_readonly("profile",
-                             [](const Stream& s) { return profile_name(s.header().profile); })
-      .def_property_readonly("features", [](const Stream& s) { return io::tools_of(s.header()); })
-      .def_property_readonly("is_remote", &Stream::is_remote)
-      .def("rig", &Stream::rig)
-      .def("info", &Stream::info)
-      .def("pixels",
-           [](const Stream& s, Places rows, Places cols, Places ys, Places xs, int stop_level) {
-             return s.pixels({std::move(rows), std::move(cols), std::move(ys), std::move(xs)},
-                             stop_level);
-           })
-      .def("block",
-           [](const Stream& s, uint32_t row, uint32_t col, const std::string& plane, uint32_t bx,
-              uint32_t by, int stop_level, bool traced) {
-             return s.block({{row, col}, plane_of(plane), bx, by}, stop_level, traced);
-           })
-      .def("render", &render)
-      .def("disparity", [](const Stream& s, uint32_t row, uint32_t col) {
-        return s.disparity({row, col});
-      });
+void add_stream(std::vector<PyMethodDef>& methods) {
+  methods.push_back(method<&open_file>("open_file"));
+  methods.push_back(method<&open_buffer>("open_buffer"));
+  methods.push_back(method<&facts>("facts"));
+  methods.push_back(method<&rig>("rig"));
+  methods.push_back(method<&info>("info"));
+  methods.push_back(method<&pixels>("pixels"));
+  methods.push_back(method<&block>("block"));
+  methods.push_back(method<&render>("render"));
+  methods.push_back(method<&disparity>("disparity"));
 }
 
 }  // namespace hmlfc::python

@@ -9,14 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <hmlfc/camera.hpp>
 #include <hmlfc/decoder.hpp>
 #include <hmlfc/renderer.hpp>
 
+#include "python/object.hpp"
 #include "python/raise.hpp"
 #include "remote/open_source.hpp"
 
@@ -35,40 +32,42 @@ struct Part {
 /// decode; several threads may call them, and frames are rendered one after another.
 class Stream {
  public:
+  static constexpr const char* kName = "hmlfc.Stream";
+
   /// The stream in a file, at an http:// address, of which sections are never checked, or
   /// in an object with contiguous bytes, which is kept and must not change. Raises OSError,
   /// TypeError, hmlfc.Error.
   static std::unique_ptr<Stream> from_file(const std::string& path, bool check_sections);
-  static std::unique_ptr<Stream> from_buffer(const pybind11::buffer& buffer, bool check_sections);
+  static std::unique_ptr<Stream> from_buffer(PyObject* object, bool check_sections);
 
   const StreamHeader& header() const { return decoder_->header(); }
   bool is_remote() const { return is_remote_; }
 
   /// The pixels of `part`: (rows, cols, ys, xs, 3), uint8 at depth 8, else uint16. Views are
   /// decoded on all cores; Ctrl-C ends that of several.
-  pybind11::array pixels(const Part& part, int stop_level) const;
+  Object pixels(const Part& part, int stop_level) const;
 
   /// (B, B) int32 samples of a block; with `traced` also what was read and computed: lists of
   /// fields, vectors and stages, each a dict. Raises IndexError where there is no such block.
-  pybind11::object block(const BlockAddress& block, int stop_level, bool traced) const;
+  Object block(const BlockAddress& block, int stop_level, bool traced) const;
 
   /// Disparities of the blocks of plane Y in units of 1/256 pixel a column, int16, and their
   /// confidence, uint8: each (rows of blocks, columns of blocks).
-  pybind11::tuple disparity(ViewPos view) const;
+  Object disparity(ViewPos view) const;
 
   /// The text of section RIG (RIG-2); None without the section. Raises ValueError that names the
   /// member that is wrong.
-  pybind11::object rig() const;
+  Object rig() const;
 
   /// What `hmlfc info --json` prints.
   std::string info() const;
 
   /// The frame of `camera`: (height, width, 3). Raises ValueError for a camera that takes none.
-  pybind11::array render(const Camera& camera, int stop_level);
+  Object render(const Camera& camera, int stop_level);
 
  private:
-  Stream(std::optional<pybind11::buffer_info> buffer, std::unique_ptr<ByteSource> source,
-         bool is_remote, bool check_sections);
+  Stream(std::optional<Buffer> buffer, std::unique_ptr<ByteSource> source, bool is_remote,
+         bool check_sections);
 
   // The value of `result`; raises its error, or OSError where the file could not be read.
   template <class T>
@@ -78,7 +77,7 @@ class Stream {
   }
   void raise_failure() const;
 
-  std::optional<pybind11::buffer_info> buffer_;  // of a stream in memory
+  std::optional<Buffer> buffer_;  // of a stream in memory
   std::unique_ptr<ByteSource> source_;
   bool is_remote_ = false;
   std::optional<Decoder> decoder_;
@@ -87,7 +86,7 @@ class Stream {
   Frame frame_;
 };
 
-/// Adds class Stream to the module.
-void add_stream(pybind11::module_& module);
+/// Adds what reads: open_file() and open_buffer() make a stream, which the others take.
+void add_stream(std::vector<PyMethodDef>& methods);
 
 }  // namespace hmlfc::python

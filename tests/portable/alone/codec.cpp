@@ -47,8 +47,8 @@ int main(int count, char** arguments) {
   const std::vector<uint8_t> bytes(std::istreambuf_iterator<char>(input), {});
   const auto decoder = value_of(hmlfc::Decoder::open(bytes));
   const auto& header = decoder.header();
-  const std::string last = arguments[count - 1];
-  std::ofstream file(last + (count == 3 ? "/views.raw" : count == 5 ? "/frame.raw" : ""));
+  const char* name = count == 3 ? "/views.raw" : count == 5 ? "/frame.raw" : "";
+  std::ofstream file(std::string(arguments[count - 1]) + name, std::ios::binary);
   if (count == 5) return write_samples(file, frame_of(decoder, arguments[2], arguments[3])), 0;
   hmlfc::LightField views({header.rows, header.cols, header.width, header.height, header.depth});
   for (uint32_t i = 0; i < header.rows * header.cols; ++i) {

@@ -42,7 +42,7 @@ def read_views(
     not fit.
     """
     field = read_folder(folder, grid=grid, names=names, order=order)
-    return Views(field.pixels(), field.depth)
+    return Views(_core.field_pixels(field=field), _core.field_facts(field=field)[0])
 
 
 def encode(
@@ -108,13 +108,14 @@ def encode(
     if not is_folder and (grid, names, order) != (None, None, None):
         raise ValueError("grid, names and order are of a folder; an array has its rows and columns")
     field = read_folder(views, grid=grid, names=names, order=order) if is_folder else field_of(views, depth)
-    if depth not in (None, field.depth):
-        raise ValueError(f"the views have depth {field.depth}, not {depth}")
+    found, _ = _core.field_facts(field=field)
+    if depth not in (None, found):
+        raise ValueError(f"the views have depth {found}, not {depth}")
     is_file = isinstance(rig, (str, bytes, os.PathLike))
     if not is_file and not isinstance(rig, Rig) and rig not in (None, False):
         raise TypeError(f"rig is a Rig, a file, None or False, not {type(rig).__name__}")
-    stream, psnr, most = field.encode(
-        rig_file=name_of(rig) if is_file else None, rig_text=text_of(rig) if isinstance(rig, Rig) else None,
+    stream, psnr, most = _core.encode(
+        field=field, rig_file=name_of(rig) if is_file else None, rig_text=text_of(rig) if isinstance(rig, Rig) else None,
         rig_of_views=is_folder and rig is None and profile == "extended", profile=profile,
         quality=60 if quality is None else quality, lossless=lossless, target_psnr=target_psnr, target_bpp=target_bpp,
         max_bytes=max_bytes, preset=preset, tree_height=tree_height, block_size=block_size, window=window,
@@ -131,8 +132,8 @@ def read_folder(folder: AnyPath, **naming: Any) -> _core.Field:
     """The views of a folder; for the functions above, whose callers are warned."""
     name = name_of(folder)
     os.stat(name)
-    field = _core.Field.from_folder(folder=name, **naming)
-    for note in field.notes:
+    field = _core.folder_field(folder=name, **naming)
+    for note in _core.field_facts(field=field)[1]:
         warnings.warn(note, Note, stacklevel=3)
     return field
 
@@ -158,7 +159,7 @@ def field_of(views: Union[np.ndarray, Views, LightField], depth: Optional[int]) 
     if most >> depth:
         row, col = np.argwhere(pixels >= 1 << depth)[0][:2]
         raise ValueError(f"view {row},{col} has samples up to {most}, more than {depth} bits hold")
-    return _core.Field.from_array(np.ascontiguousarray(pixels, kind), depth)
+    return _core.array_field(pixels=np.ascontiguousarray(pixels, kind), depth=depth)
 
 
 def text_of(rig: Rig) -> str:

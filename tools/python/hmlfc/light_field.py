@@ -77,15 +77,17 @@ class LightField:
     def __init__(self, source: Any, check_sections: bool = True) -> None:
         self._check_sections = check_sections
         if isinstance(source, (str, os.PathLike)):
-            self._opened: Optional[_core.Stream] = _core.Stream.from_file(name_of(source), check_sections)
+            self._opened: Optional[_core.Stream] = _core.open_file(path=name_of(source), check_sections=check_sections)
             path = os.fsdecode(source)
-            self._source: Any = path if self._opened.is_remote else os.path.abspath(path)
+            self._source: Any = path if self._fact("is_remote") else os.path.abspath(path)
         else:
             try:
                 data = memoryview(source)
             except TypeError:
                 raise TypeError(f"a stream is a path, an address or bytes, not {source!r}") from None
-            self._opened = _core.Stream.from_buffer(data, check_sections)
+            if not data.c_contiguous or (data.ndim, data.itemsize) != (1, 1):
+                raise TypeError("a stream in memory is one contiguous sequence of bytes")
+            self._opened = _core.open_buffer(buffer=data, check_sections=check_sections)
             self._source = source
 
     def close(self) -> None:
@@ -117,10 +119,13 @@ class LightField:
             raise ValueError("the light field is closed")
         return self._opened
 
+    def _fact(self, name: str) -> Any:
+        return _core.facts(stream=self._stream)[name]
+
     @property
     def shape(self) -> Tuple[int, int, int, int, int]:
         """(rows, cols, height, width, 3): views, then pixels, then R, G, B."""
-        return self._stream.shape
+        return self._fact("shape")
 
     @property
     def dtype(self) -> np.dtype:
@@ -140,32 +145,32 @@ class LightField:
     @property
     def depth(self) -> int:
         """Bits a sample, [8, 12]."""
-        return self._stream.depth
+        return self._fact("depth")
 
     @property
     def block_size(self) -> int:
         """Samples a side of a block: 2, 4 or 8."""
-        return self._stream.block_size
+        return self._fact("block_size")
 
     @property
     def tree_height(self) -> int:
         """Levels above the views, [0, 15]."""
-        return self._stream.tree_height
+        return self._fact("tree_height")
 
     @property
     def profile(self) -> str:
         """ "main" or "extended"."""
-        return self._stream.profile
+        return self._fact("profile")
 
     @property
     def features(self) -> list[str]:
         """The flags of profile extended that are set (EXT-1)."""
-        return self._stream.features
+        return self._fact("features")
 
     @property
     def rig(self) -> Optional[Rig]:
         """Where the cameras stand; None where the stream does not say. Raises ValueError for one that RIG-2 forbids."""
-        text = self._stream.rig()
+        text = _core.rig(stream=self._stream)
         if text is None:
             return None
         told, grid = json.loads(text), self.shape[:2]
@@ -179,7 +184,7 @@ class LightField:
 
     def info(self) -> dict:
         """What the stream is and what its bytes are spent on: the object that `hmlfc info --json` prints."""
-        return json.loads(self._stream.info())
+        return json.loads(_core.info(stream=self._stream))
 
     def __len__(self) -> int:
         return self.shape[0]
@@ -204,7 +209,8 @@ class LightField:
         if not isinstance(keys[0], slice) and not isinstance(keys[1], slice):
             keys = (*self._view(*keys[:2]), *keys[2:])
         places = [range_of(part, size, axis) for part, size, axis in zip(keys, self.shape, AXES)]
-        pixels = self._stream.pixels(*places[:4], self._level(stop_level))
+        rows, cols, ys, xs = places[:4]
+        pixels = _core.pixels(stream=self._stream, rows=rows, cols=cols, ys=ys, xs=xs, stop_level=self._level(stop_level))
         dropped = tuple(slice(None) if isinstance(part, slice) else 0 for part in keys[:4])
         return pixels[(*dropped, keys[4])]
 
@@ -222,7 +228,8 @@ class LightField:
         disparity: float64, pixels a column of views, exact; negative is nearer
         confidence: uint8 in [0, 3]; 0: the stream says nothing (GEO-6)
         """
-        disparity, confidence = self._stream.disparity(*self._view(row, col))
+        row, col = self._view(row, col)
+        disparity, confidence = _core.disparity(stream=self._stream, row=row, col=col)
         return disparity / 256, confidence
 
     def disparity_map(self, row: int, col: int) -> np.ndarray:
@@ -267,8 +274,8 @@ class LightField:
 
         Raises ValueError for a camera that takes no frame (CAM-3). Warns with a Note of a black frame.
         """
-        frame = self._stream.render(
-            position=position, look_at=look_at, width=width, height=height, focal=focal, tan_half=tan_half,
+        frame = _core.render(
+            stream=self._stream, position=position, look_at=look_at, width=width, height=height, focal=focal, tan_half=tan_half,
             row_pitch=row_pitch, shear=shear, focus=focus, aperture=aperture, filter=filter, geometry=geometry,
             stop_level=self._level(stop_level),
         )  # fmt: skip
@@ -294,7 +301,9 @@ class LightField:
     def _block(self, row: int, col: int, plane: str, bx: int, by: int, stop_level: int, traced: bool) -> Any:
         if as_integer(bx) < 0 or as_integer(by) < 0:
             raise IndexError(f"block {bx},{by} of plane {plane} does not exist")
-        return self._stream.block(*self._view(row, col), plane, bx, by, self._level(stop_level), traced)
+        row, col = self._view(row, col)
+        place = {"row": row, "col": col, "plane": plane, "bx": bx, "by": by}
+        return _core.block(stream=self._stream, **place, stop_level=self._level(stop_level), traced=traced)
 
 
 def name_of(path: AnyPath) -> bytes:

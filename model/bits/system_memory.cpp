@@ -1,13 +1,17 @@
-#include "bits/mapped_file.hpp"
+// What POSIX gives of memory; fallback/windows has the same for Windows.
 
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <utility>
+
+#include "bits/mapped_file.hpp"
+#include "bits/sparse_bytes.hpp"
 
 namespace hmlfc {
 namespace {
@@ -52,6 +56,21 @@ void MappedFile::drop_pages() const {
 
 MappedFile::~MappedFile() {
   if (!bytes_.empty()) ::munmap(const_cast<uint8_t*>(bytes_.data()), bytes_.size());
+}
+
+Reservation::Reservation(uint64_t bytes)
+    : bytes_(static_cast<size_t>(std::clamp<uint64_t>(bytes, 1, SIZE_MAX))), data_(nullptr) {
+  void* data = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (data != MAP_FAILED) data_ = static_cast<uint8_t*>(data);
+}
+
+Reservation::~Reservation() {
+  if (data_ != nullptr) ::munmap(data_, bytes_);
+}
+
+void Reservation::clear(uint64_t offset, uint64_t bytes) {
+  ::madvise(data_ + offset, static_cast<size_t>(bytes), MADV_DONTNEED);
 }
 
 }  // namespace hmlfc
