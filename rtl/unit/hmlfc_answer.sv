@@ -154,10 +154,10 @@ module hmlfc_answer #(
         .out_ready, .out_data({out_last, out_error, out_data})
     );
   end else begin : g_parts
-    // The parts of each lane gather where they leave.
+    // The parts of each lane gather where they leave, those of the next block a clock after this one has left.
     localparam int LANE = SAMPLES * 16;
     localparam int PART = PART_SAMPLES * 16;
-    assign advance_out = !out_valid || out_ready;
+    assign advance_out = !out_valid;
     always_ff @(posedge clk) begin
       if (valid[3] && advance_out) begin
         {out_last, out_error} <= {last[3], status_3};
@@ -165,7 +165,7 @@ module hmlfc_answer #(
           out_data[c*LANE+:LANE] <= LANE'({answer[c*PART+:PART], out_data[c*LANE+:LANE]} >> PART);
         end
       end
-      out_valid <= rst_n && (advance_out ? whole : out_valid);
+      out_valid <= rst_n && (out_valid ? !out_ready : whole);
     end
   end
 

@@ -115,13 +115,22 @@ module hmlfc_reference_cache #(
   end
 
   // ---- Samples. A strip that a bus error spoiled is not kept, whichever error its block is answered with.
+  logic read_valid, read_ready;
+  logic [5:0] read_error;
+  logic [ROWS*SIDE*SAMPLE_BITS-1:0] read_window;
   hmlfc_reference_lines #(
       .BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(SAMPLE_BITS), .PLACE_BITS(PLACE_BITS), .CLOCKS(CLOCKS)
   ) lines (
       .clk, .rst_n, .write, .write_half(half), .write_place(strip_place), .write_lines(strip_lines),
       .in_valid(op_valid && complete), .in_ready(lines_ready), .in_block_x(op_x), .in_block_y(op_y),
       .in_two_x(op_two_x), .in_two_y(op_two_y), .in_select_x(op_select_x), .in_select_y(op_select_y),
-      .in_places(op_places), .out_valid, .out_ready, .out_error, .out_window, .spoiled(forget)
+      .in_places(op_places), .out_valid(read_valid), .out_ready(read_ready), .out_error(read_error),
+      .out_window(read_window), .spoiled(forget)
+  );
+  // Whether the window is taken is known late in a clock.
+  hmlfc_skid_buffer #(.WIDTH(6 + ROWS * SIDE * SAMPLE_BITS)) windows (
+      .clk, .rst_n, .in_valid(read_valid), .in_ready(read_ready), .in_data({read_error, read_window}), .out_valid,
+      .out_ready, .out_data({out_error, out_window})
   );
 
 endmodule

@@ -109,7 +109,7 @@ module hmlfc_residual_parser #(
   logic signed [8:0] next_min_x, next_min_y, min_x, min_y;
   logic [P-1:0] bounds_end;
   hmlfc_vector_bounds bounds (
-      .search_window(stream.window), .field(held_field[31:0]), .position, .bits, .error(bounds_error),
+      .clk, .search_window(stream.window), .field(held_field[31:0]), .position, .bits, .error(bounds_error),
       .sign_mode(next_sign_mode), .min_x(next_min_x), .min_y(next_min_y), .codes_x(next_codes_x),
       .codes_y(next_codes_y), .next(bounds_end)
   );

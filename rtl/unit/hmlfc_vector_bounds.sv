@@ -4,15 +4,16 @@
 
 // The fields of TIL-6 that begin in `field`: how the vectors of a residual tile are coded.
 //
-// search_window  w of the header
+// search_window  w of the header, for two clocks at least
 // position, bits  of the field in its record, [4, 164] (TIL-1 to TIL-3), and the record's length
 // error  the first of annex A in the order of the fields, 0 for none; with an error the rest has no meaning
 // min_x, min_y  least components, [-w, w]
 // next   position behind the fields
-// Combinational.
+// Combinational but for what depends on w alone.
 module hmlfc_vector_bounds #(
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS
 ) (
+    input logic clk,
     input logic [6:0] search_window,
     input logic [31:0] field,
     input logic [POSITION_BITS-1:0] position,
@@ -28,17 +29,17 @@ module hmlfc_vector_bounds #(
 
   localparam int P = POSITION_BITS;
 
-  // The bits v of a component's bound, the greatest level code K and its bits c.
+  // The bits v of a component's bound, the greatest level code K and its bits c, which are those of the stream.
   wire [7:0] twice_window = {search_window, 1'b0};
   logic [3:0] component_bits, code_bits;
   logic [5:0] max_code;
-  always_comb begin
-    component_bits = '0;
-    for (int i = 0; i < 8; i++) if (twice_window[i]) component_bits = 4'(i + 1);
-    max_code = '0;
-    for (int i = 21; i >= 0; i--) if (hmlfc_level_count(6'(i)) > 15'(twice_window)) max_code = 6'(i);
-    code_bits = '0;
-    for (int i = 0; i < 6; i++) if (max_code[i]) code_bits = 4'(i + 1);
+  always_ff @(posedge clk) begin
+    component_bits <= '0;
+    for (int i = 0; i < 8; i++) if (twice_window[i]) component_bits <= 4'(i + 1);
+    max_code <= '0;
+    for (int i = 21; i >= 0; i--) if (hmlfc_level_count(6'(i)) > 15'(twice_window)) max_code <= 6'(i);
+    code_bits <= '0;
+    for (int i = 0; i < 6; i++) if (max_code[i]) code_bits <= 4'(i + 1);
   end
 
   // Each field is one shift after the previous one.
