@@ -36,7 +36,7 @@ MAIN_QUALITIES = ((40, 50, 60, 70, 80, 90), (40, 60, 80))
 CRF = ((32, 28, 24, 20, 16, 12), (28, 20, 14))
 PARAMETERS = {  # all points, the points of --quick
     "main-hmlfc": MAIN_QUALITIES, "main-rlfc": MAIN_QUALITIES, "main-mc": MAIN_QUALITIES,
-    "extended": ((30, 40, 50, 60, 75, 90), (30, 50, 80)),
+    "extended": ((25, 40, 50, 60, 75, 90), (30, 50, 80)),
     "x265-intra": CRF, "x265-inter": CRF,
     "jpeg": ((20, 40, 60, 80, 90, 95), (30, 70, 90)),
     "jpeg2000": ((200, 100, 50, 25, 12, 8), (100, 30, 10)),
