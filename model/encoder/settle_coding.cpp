@@ -224,7 +224,12 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
   if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
   if (!found.chroma) found.chroma = chroma_for(views, found, goal);
-  const auto header = header_for(shape, found);
+  // What is known of the light field is the same whatever trials choose: who takes a part of a plan
+  // knows their choice before.
+  EncodeParams usual = found;
+  usual.extended.disparity_grid = 8;
+  usual.extended.motion_tile = 64;
+  const auto header = header_for(shape, usual);
   if (!header || params.profile == Profile::kMain) return settled;
   const CachedViews part(views, trial_part(views, *header), cache_bytes);
   settled.probe = probe_light_field(views, *header, part);

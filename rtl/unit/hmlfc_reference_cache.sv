@@ -103,7 +103,7 @@ module hmlfc_reference_cache #(
   logic [2:0] filled;
   logic lines_ready;
   wire complete = filled == op_missed;
-  localparam bit HALVES = BLOCK_LOG2 < 3;  // a strip of more lines than one is written by halves
+  localparam bit HALVES = CLOCKS > 1 && BLOCK_LOG2 < 3;  // a strip is written by halves of its lines
   logic half;
   wire write = op_valid && !complete && strip_valid;
   assign take = write && half == HALVES;

@@ -10,7 +10,7 @@
 //               is the first of the next
 //
 // write              a half of strip `write_place` = {bank, place in it}, the first or with `write_half` the second,
-//                    becomes that of `write_lines`, each {error, samples}; with one line in a strip that
+//                    becomes that of `write_lines`, each {error, samples}; all of it with CLOCKS = 1
 // in_*               a window: its samples (i, j) lie in column select_x[i], row select_y[j] of blocks from (block_x,
 //                    block_y) on, two_x and two_y beside it; and the places of its strips in the four banks
 // out_window         sample (i, j) of the part at bits SAMPLE_BITS * (j * (B + 1) + i) on
@@ -57,13 +57,15 @@ module hmlfc_reference_lines #(
     output logic spoiled
 );
 
-  // Memories: of the parity of the row and of the line of the strip, where a strip's second half of lines lies above
-  // the first; or with one line of the parities of row and strip.
+  // Memories: of the parity of the row and of the line of the strip, with HALVES of the line in its half, the second
+  // above the first; or with one line of the parities of row and strip.
   localparam int LINES_LOG2 = $clog2(LINES);
   localparam int COLUMNS = LINES > 1 ? LINES : 2;
   localparam int COLUMN_BITS = $clog2(COLUMNS);
-  localparam int MEMORIES = LINES > 1 ? LINES / 2 : 2;  // of a row
-  localparam int LINE_PLACE_BITS = LINES > 1 ? PLACE_BITS + 2 : PLACE_BITS;
+  localparam bit HALVES = CLOCKS > 1 && LINES > 1;
+  localparam int MEMORIES = HALVES ? LINES / 2 : COLUMNS;  // of a row
+  localparam int SECOND = HALVES ? MEMORIES : 0;  // where a strip's second half begins
+  localparam int LINE_PLACE_BITS = HALVES ? PLACE_BITS + 2 : LINES > 1 ? PLACE_BITS + 1 : PLACE_BITS;
   localparam int PART_BITS = $clog2(CLOCKS) > 0 ? $clog2(CLOCKS) : 1;
 
   logic [3:1] valid;
@@ -86,13 +88,13 @@ module hmlfc_reference_lines #(
       logic write_here;
       if (LINES > 1) begin : g_lines
         wire [COLUMN_BITS-1:0] right_column = left_column + 1'b1;
-        wire left = (left_column ^ COLUMN_BITS'(m)) << 1 == '0;  // but for the half
+        wire left = (left_column ^ COLUMN_BITS'(m)) << HALVES == '0;  // but for the half
         wire half = left ? left_column[COLUMN_BITS-1] : right_column[COLUMN_BITS-1];
         wire parity = left_parity ^ (!left && right_column == '0);
         assign write_here = write && write_place[PLACE_BITS+1] == 1'(r);
-        assign write_at = {write_half, write_place[PLACE_BITS:0]};
-        assign line = write_half ? write_lines[(MEMORIES+m)*LINE_BITS+:LINE_BITS] : write_lines[m*LINE_BITS+:LINE_BITS];
-        assign read_at = {half, parity, parity ? odd : even};
+        assign write_at = LINE_PLACE_BITS'({write_half, write_place[PLACE_BITS:0]});
+        assign line = write_half ? write_lines[(SECOND+m)*LINE_BITS+:LINE_BITS] : write_lines[m*LINE_BITS+:LINE_BITS];
+        assign read_at = LINE_PLACE_BITS'({half, parity, parity ? odd : even});
       end else begin : g_line
         assign write_here = write && !write_half && write_place[PLACE_BITS+1:PLACE_BITS] == {1'(r), 1'(m)};
         assign write_at = write_place[PLACE_BITS-1:0];

@@ -8,7 +8,7 @@
 //   head      masks of the blocks with motion and with a residual, or an error of the whole tile;
 //   vectors   for the m-th block with motion: sign and vector (TIL-7), or vector_range;
 //   entries   for the m-th block with a residual: its header and where its values begin, or an error.
-// `loaded_valid` is high when all are written. Two clocks a field, three for a mask or bounds, then one for
+// `loaded_valid` is high when all are written. Two clocks a field, three for a mask that the record holds, then one for
 // each vector, or two with one reader, and each entry.
 module hmlfc_residual_parser #(
     parameter int BLOCK_LOG2 = 2,
@@ -94,7 +94,7 @@ module hmlfc_residual_parser #(
   wire [79:0] field = 80'(window[WINDOW_BITS-1:0] >> shift);
 
   logic [1:0] motion_mode, residual_mode;
-  logic held;  // the field of a mask or of bounds, which take long, is in `held_field`
+  logic held;  // the field of a mask, or with one reader of bounds, is in `held_field`
   logic [79:0] held_field;
   logic [63:0] in_plane, mask, motion_mask, residual_mask;
   logic [6:0] mask_bits;
@@ -109,7 +109,8 @@ module hmlfc_residual_parser #(
   logic signed [8:0] next_min_x, next_min_y, min_x, min_y;
   logic [P-1:0] bounds_end;
   hmlfc_vector_bounds bounds (
-      .clk, .search_window(stream.window), .field(held_field[31:0]), .position, .bits, .error(bounds_error),
+      .clk, .search_window(stream.window), .field(READERS == 2 ? field[31:0] : held_field[31:0]), .position, .bits,
+      .error(bounds_error),
       .sign_mode(next_sign_mode), .min_x(next_min_x), .min_y(next_min_y), .codes_x(next_codes_x),
       .codes_y(next_codes_y), .next(bounds_end)
   );
@@ -209,7 +210,7 @@ module hmlfc_residual_parser #(
         else state <= residual_mask != 0 ? RESIDUALS : FINISH;
       end
       BOUNDS:
-      if (!held) held <= fresh;
+      if (READERS == 2 ? !fresh : !held) held <= fresh;
       else begin
         held <= 1'b0;
         sign_mode <= next_sign_mode;

@@ -6,18 +6,16 @@
 
 PyMODINIT_FUNC PyInit__core() {
   static std::vector<PyMethodDef> methods;
-  hmlfc::python::add_stream(methods);
-  hmlfc::python::add_encode(methods);
-  methods.push_back({});
-  static PyModuleDef definition = {PyModuleDef_HEAD_INIT,
-                                   "_core",
-                                   nullptr,
-                                   -1,
-                                   methods.data(),
-                                   nullptr,
-                                   nullptr,
-                                   nullptr,
-                                   nullptr};
+  static PyModuleDef definition = {};
+  if (methods.empty()) {
+    hmlfc::python::add_stream(methods);
+    hmlfc::python::add_encode(methods);
+    methods.push_back({});
+    definition.m_base = PyModuleDef_HEAD_INIT;
+    definition.m_name = "_core";
+    definition.m_size = -1;
+    definition.m_methods = methods.data();
+  }
   PyObject* module = PyModule_Create(&definition);
   if (module != nullptr) PyModule_AddStringConstant(module, "version", HMLFC_VERSION);
   return module;

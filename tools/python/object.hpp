@@ -48,7 +48,9 @@ class Raised {
   Raised() : taken_(std::make_shared<Taken>()) {}
   /// A new one.
   Raised(PyObject* type, const std::string& text) {
-    PyErr_SetString(type, text.c_str());
+    PyObject* message = PyUnicode_DecodeUTF8(text.data(), std::ssize(text), "replace");
+    if (message != nullptr) PyErr_SetObject(type, message);
+    Py_XDECREF(message);
     taken_ = std::make_shared<Taken>();
   }
 
