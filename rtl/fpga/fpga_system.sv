@@ -52,7 +52,7 @@ module fpga_system #(
   /* verilator lint_off PINMISSING */  // outputs that nothing here needs
   hmlfc_view_unit #(
       .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(8), .AXI_DATA_BITS(64), .OUTSTANDING(4), .TILE_CONTEXTS(2),
-      .CACHES(1), .CACHE_STRIPS(64), .BLOCK_CLOCKS(1 << BLOCK_LOG2), .TRACE(0)
+      .CACHES(1), .CACHE_STRIPS(64), .BLOCK_CLOCKS(BLOCK_LOG2 == 1 ? 2 : 4), .TRACE(0)
   ) unit (
       .clk, .rst_n, .m_axi_arvalid(arvalid), .m_axi_arready(arready), .m_axi_araddr(araddr), .m_axi_arlen(arlen),
       .m_axi_arid(arid), .m_axi_rvalid(rvalid), .m_axi_rdata(rdata), .m_axi_rresp(2'b00), .m_axi_rlast(rlast),
