@@ -7,8 +7,8 @@
 //
 // Requests wait until a stream is loaded. One whose view, level, plane or block is not there, or that meets a failed
 // LOAD, becomes one job that carries the error. Views are worked out when they are not held: the table keeps VIEWS of
-// them, half as many where the tree has more than four levels, and the oldest makes room as soon as none of its blocks
-// is in flight. For RGB the chroma blocks are omitted where the previous request for RGB decoded them, but not where
+// them, half as many where the tree has more than four levels, and the oldest of which no block is in flight makes
+// room. For RGB the chroma blocks are omitted where the previous request for RGB decoded them, but not where
 // they met a bus error. A request for residuals is one job, of its stop level. Up to two requests wait; the first of
 // them is checked and looked up, and its view worked out, while jobs of the one before leave.
 module hmlfc_requests #(
@@ -82,7 +82,7 @@ module hmlfc_requests #(
   logic [VIEWS-1:0] held;
   logic [VIEW_BITS-1:0] slot;  // of the latest
   wire [VIEW_BITS-1:0] following = slot + 1'b1;
-  wire [VIEW_BITS-1:0] oldest = {following[VIEW_BITS-1] && stream.tree_height < 3'd4, following[VIEW_BITS-2:0]};
+  wire [VIEW_BITS-1:0] candidate = {following[VIEW_BITS-1] && stream.tree_height < 3'd4, following[VIEW_BITS-2:0]};
   logic [VIEWS*10-1:0] held_rows, held_cols;
   logic [VIEWS*LEVELS-1:0] held_keys;
   logic [VIEWS*10-1:0] users;
@@ -135,8 +135,9 @@ module hmlfc_requests #(
 
   wire [5:0] next_error = load_error != 0 ? load_error : there ? 6'd0 : 6'(HMLFC_ERROR_BAD_REQUEST);
   logic working;
-  assign view_start = next_valid && next_error == 0 && !any_hit && !working && !used[oldest] &&
-      !(busy && error == 0 && hit_slot == oldest);
+  wire view_wanted = next_valid && next_error == 0 && !any_hit && !working;
+  wire candidate_used = used[candidate] || (busy && error == 0 && hit_slot == candidate);
+  assign view_start = view_wanted && !candidate_used;
   assign view_row = row[9:0];
   assign view_col = col[9:0];
 
@@ -193,18 +194,18 @@ module hmlfc_requests #(
       chroma_held <= 1'b1;
       chroma_site <= now_site;
     end
+    if (view_wanted) slot <= candidate;  // past it where it is used
     if (view_start) begin
       working <= 1'b1;
-      slot <= oldest;
-      view_slot <= oldest;
-      held[oldest] <= 1'b0;
+      view_slot <= candidate;
+      held[candidate] <= 1'b0;
     end
     if (view_done) begin
       working <= 1'b0;
       held[slot] <= 1'b1;
     end
     for (int i = 0; i < VIEWS; i++) begin
-      if (view_start && oldest == VIEW_BITS'(i)) {held_rows[i*10+:10], held_cols[i*10+:10]} <= {view_row, view_col};
+      if (view_start && candidate == VIEW_BITS'(i)) {held_rows[i*10+:10], held_cols[i*10+:10]} <= {view_row, view_col};
       if (view_done && slot == VIEW_BITS'(i)) held_keys[i*LEVELS+:LEVELS] <= view_keys;
       users[i*10+:10] <= users[i*10+:10] + 10'(emit && job.id[3+:VIEW_BITS] == VIEW_BITS'(i)) -
           10'(finished_valid && finished_slot == VIEW_BITS'(i));
