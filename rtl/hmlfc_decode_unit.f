@@ -39,6 +39,7 @@ unit/hmlfc_reference_ask.sv
 unit/hmlfc_reference_lines.sv
 unit/hmlfc_window_axis.sv
 unit/hmlfc_reference_lookup.sv
+unit/hmlfc_strip_unpack.sv
 unit/hmlfc_strip_fill.sv
 unit/hmlfc_reference_cache.sv
 unit/hmlfc_references.sv

@@ -6,8 +6,8 @@
 // Takes windows in order (`in_*`) and gives their samples in the same order, one window a clock while the
 // cache hits. Tags are looked up when a window enters, and misses are requested at once; the window
 // then waits in a queue until its strips have come. So the latency of the memory is hidden as
-// long as the queue is not full. Strips are filled in the order in which they were requested, and a fill
-// waits for the windows in front that still read the lines it replaces.
+// long as the queue is not full. Strips are filled in the order in which they were requested, each when its
+// window is the next to be read.
 //
 // hmlfc_reference_lookup has the tags, hmlfc_strip_fill fetches strips, hmlfc_reference_lines has their samples.
 module hmlfc_reference_cache #(
@@ -74,18 +74,14 @@ module hmlfc_reference_cache #(
   // ---- Windows that wait for their strips.
   localparam int READ_BITS = 2 * BLOCK_BITS + 2 + 2 * SIDE * SELECT_BITS + 4 * PLACE_BITS;
   logic op_valid, op_ready;
-  logic [BLOCK_BITS-1:0] op_x, op_y;
-  logic op_two_x, op_two_y;
-  logic [SIDE*SELECT_BITS-1:0] op_select_x, op_select_y;
-  logic [4*PLACE_BITS-1:0] op_places;
+  logic [READ_BITS-1:0] op;
   logic [2:0] op_missed;
   hmlfc_fifo #(.WIDTH(READ_BITS + 3), .DEPTH(256)) waiting (
       .clk, .rst_n, .in_valid(found_valid), .in_ready(found_ready),
       .in_data({
         found_x, found_y, found_two_x, found_two_y, found_select_x, found_select_y, found_places, found_missed
       }),
-      .out_valid(op_valid), .out_ready(op_ready),
-      .out_data({op_x, op_y, op_two_x, op_two_y, op_select_x, op_select_y, op_places, op_missed}), .count()
+      .out_valid(op_valid), .out_ready(op_ready), .out_data({op, op_missed}), .count()
   );
 
   // ---- The strips of the window in front are filled, then its lines are read.
@@ -94,42 +90,56 @@ module hmlfc_reference_cache #(
   logic [LINES_BITS-1:0] strip_lines;
   hmlfc_strip_fill #(
       .BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(SAMPLE_BITS), .DATA_BITS(DATA_BITS), .PLACE_BITS(PLACE_BITS + 2),
-      .SLOTS(FILLS), .FIRST_BYTES(STRIP_READ)
+      .SLOTS(FILLS), .FIRST_BYTES(STRIP_READ), .UNPACKERS(DATA_BITS == 256 ? 2 : 1)
   ) fill (
       .clk, .rst_n, .ask, .ask_ready, .ask_address, .ask_place, .valid(strip_valid), .place(strip_place),
       .lines(strip_lines), .take, .request, .response, .data
   );
 
+  // A strip is written while the window before is read, unless it replaces one of that window.
+  logic reading, lines_ready;
+  logic [READ_BITS-1:0] read;
+  wire [4*PLACE_BITS-1:0] read_places = read[4*PLACE_BITS-1:0];
+  logic [3:0] same_place;  // by bank
+  for (genvar b = 0; b < 4; b++) begin : g_same
+    assign same_place[b] = read_places[b*PLACE_BITS+:PLACE_BITS] == strip_place[PLACE_BITS-1:0];
+  end
+  wire replaces = reading && same_place[strip_place[PLACE_BITS+:2]];
   logic [2:0] filled;
-  logic lines_ready;
   wire complete = filled == op_missed;
   localparam bit HALVES = CLOCKS > 1 && BLOCK_LOG2 < 3;  // a strip is written by halves of its lines
   logic half;
-  wire write = op_valid && !complete && strip_valid;
+  wire write = op_valid && !complete && strip_valid && !replaces;
   assign take = write && half == HALVES;
-  assign op_ready = complete && lines_ready;
+  wire move = op_valid && op_ready;
+  assign op_ready = (complete || (take && filled + 3'd1 == op_missed)) && (!reading || lines_ready);
   always_ff @(posedge clk) begin
-    if (!rst_n || (op_valid && op_ready)) filled <= '0;
+    if (!rst_n || move) filled <= '0;
     else if (take) filled <= filled + 3'd1;
     half <= rst_n && HALVES && write && !half;
+    reading <= rst_n && (move || (reading && !lines_ready));
+    if (move) read <= op;
   end
 
   // ---- Samples. A strip that a bus error spoiled is not kept, whichever error its block is answered with.
-  logic read_valid, read_ready;
-  logic [5:0] read_error;
-  logic [ROWS*SIDE*SAMPLE_BITS-1:0] read_window;
+  logic [BLOCK_BITS-1:0] read_x, read_y;
+  logic read_two_x, read_two_y;
+  logic [SIDE*SELECT_BITS-1:0] read_select_x, read_select_y;
+  assign {read_x, read_y, read_two_x, read_two_y, read_select_x, read_select_y} = read[READ_BITS-1:4*PLACE_BITS];
+  logic window_valid, window_ready;
+  logic [5:0] window_error;
+  logic [ROWS*SIDE*SAMPLE_BITS-1:0] window;
   hmlfc_reference_lines #(
       .BLOCK_LOG2(BLOCK_LOG2), .SAMPLE_BITS(SAMPLE_BITS), .PLACE_BITS(PLACE_BITS), .CLOCKS(CLOCKS)
   ) lines (
       .clk, .rst_n, .write, .write_half(half), .write_place(strip_place), .write_lines(strip_lines),
-      .in_valid(op_valid && complete), .in_ready(lines_ready), .in_block_x(op_x), .in_block_y(op_y),
-      .in_two_x(op_two_x), .in_two_y(op_two_y), .in_select_x(op_select_x), .in_select_y(op_select_y),
-      .in_places(op_places), .out_valid(read_valid), .out_ready(read_ready), .out_error(read_error),
-      .out_window(read_window), .spoiled(forget)
+      .in_valid(reading), .in_ready(lines_ready), .in_block_x(read_x), .in_block_y(read_y), .in_two_x(read_two_x),
+      .in_two_y(read_two_y), .in_select_x(read_select_x), .in_select_y(read_select_y), .in_places(read_places),
+      .out_valid(window_valid), .out_ready(window_ready), .out_error(window_error), .out_window(window), .spoiled(forget)
   );
   // Whether the window is taken is known late in a clock.
   hmlfc_skid_buffer #(.WIDTH(6 + ROWS * SIDE * SAMPLE_BITS)) windows (
-      .clk, .rst_n, .in_valid(read_valid), .in_ready(read_ready), .in_data({read_error, read_window}), .out_valid,
+      .clk, .rst_n, .in_valid(window_valid), .in_ready(window_ready), .in_data({window_error, window}), .out_valid,
       .out_ready, .out_data({out_error, out_window})
   );
 

@@ -3,9 +3,9 @@
 
 // Finds which strips a window of reference samples needs and asks for those that are not kept.
 //
-// Windows enter in order (`in_*`) and leave in the same order (`out_*`), one a clock where nothing is missing, when all
-// strips that they miss have been requested, one a clock (`ask`). From then on the strips count as kept. Latency 6
-// clocks.
+// Windows enter in order (`in_*`) and leave in the same order (`out_*`), one a clock where at most one strip is missing:
+// all strips that a window misses are requested, one a clock (`ask`), and it leaves with the last. From then on they
+// count as kept. Latency 6 clocks.
 //
 // BLOCK_LOG2   [1, 3], B = 2^BLOCK_LOG2
 // STRIPS       kept; a power of two, at least 64 * SECTIONS
@@ -166,8 +166,8 @@ module hmlfc_reference_lookup #(
     if (!rst_n) valid <= '0;
   end
 
-  // ---- 6: tags, read when a window comes to its lookup. It stays there until all its misses have been requested, so
-  // no tag is written in a clock in which others are read.
+  // ---- 6: tags, read when a window comes to its lookup. The window before may write one in the same clock: then it is
+  // known whether that is the tag that this one wants.
   logic [4*PLACES-1:0] kept;
   logic [3:0] missing, asked;
   logic [1:0] ask_bank;
@@ -175,6 +175,7 @@ module hmlfc_reference_lookup #(
   logic [TAG_BITS-1:0] ask_tag;
   for (genvar b = 0; b < 4; b++) begin : g_tags
     logic [TAG_BITS-1:0] tag;
+    logic late, same;
     wire [PLACE_BITS-1:0] place = places_6[b*PLACE_BITS+:PLACE_BITS];
     wire [TAG_BITS-1:0] own = wanted[b*TAG_BITS+:TAG_BITS];
     hmlfc_ram #(
@@ -189,7 +190,14 @@ module hmlfc_reference_lookup #(
         .read_address(places_5[b*PLACE_BITS+:PLACE_BITS]),
         .read_data(tag)
     );
-    assign missing[b] = valid[6] && needed_6[b] && !asked[b] && !(kept[b*PLACES+32'(place)] && tag == own);
+    always_ff @(posedge clk) begin
+      if (advance) begin
+        late <= ask && ask_bank == 2'(b) && places_5[b*PLACE_BITS+:PLACE_BITS] == place;
+        same <= wanted_5[b*TAG_BITS+:TAG_BITS] == own;
+      end
+    end
+    assign missing[b] = valid[6] && needed_6[b] && !asked[b] &&
+        !(kept[b*PLACES+32'(place)] && (late ? same : tag == own));
   end
   always_comb begin
     ask_bank = '0;
@@ -207,10 +215,11 @@ module hmlfc_reference_lookup #(
   assign ask = any_missing && ask_ready;
   assign ask_address = {ask_tag, STRIP_LOG2'(0)};
   assign ask_place = {ask_bank, ask_in_bank};
-  assign enter = valid[6] && !any_missing && out_ready;
-  assign out_valid = valid[6] && !any_missing;
+  wire last_missing = (missing & (missing - 4'd1)) == 0;
+  assign out_valid = valid[6] && (!any_missing || (last_missing && ask_ready));
+  assign enter = out_valid && out_ready;
   assign {out_block_x, out_block_y, out_two_x, out_two_y, out_select_x, out_select_y, out_places} = read_6;
-  assign out_missed = 3'(asked[0]) + 3'(asked[1]) + 3'(asked[2]) + 3'(asked[3]);
+  assign out_missed = 3'(asked[0]) + 3'(asked[1]) + 3'(asked[2]) + 3'(asked[3]) + 3'(any_missing);
   always_ff @(posedge clk) begin
     if (ask) begin
       kept[ask_place] <= 1'b1;

@@ -18,6 +18,8 @@ if(HMLFC_RTL_UNITS)
 endif()
 # The decode units of 64 bits are the smallest; what they keep is replaced often.
 set(decode_64_parameters -GTILE_CONTEXTS=2 -GCACHES=1 -GCACHE_STRIPS=64 -GBLOCK_CLOCKS=2)
+# Those of 256 bits are wide ones (docs/hardware.md).
+set(decode_256_parameters -GTILE_CONTEXTS=32)
 set(decode_3_parameters -GSTRIP_READ=64)
 
 # Waves double the time that a unit takes to compile, so that only the first decode unit has them.
