@@ -55,10 +55,10 @@ export async function askPicture(path, query) {
 
 /**
  * Samples of a stage.
- * @param {Query} query
+ * @param {string} path @param {Query} query
  */
-export async function askSamples(query) {
-  return new Int16Array(await (await ask("stage", query)).arrayBuffer());
+export async function askSamples(path, query) {
+  return new Int16Array(await (await ask(path, query)).arrayBuffer());
 }
 
 /** Tells the server that this page is open, again and again, and when it closes. */
