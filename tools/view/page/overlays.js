@@ -35,8 +35,8 @@ export function heat(part) {
 function heatMap(values, unit, first, shown = () => true) {
   const counted = values.flatMap((value) => (value !== null && shown(value) ? [value] : []));
   const [least, greatest] = first.ramp ?? [Math.min, Math.max].map((end) => counted.reduce((a, b) => end(a, b), counted[0]));
-  const span = Math.max(1e-9, greatest - least);
-  const colours = values.map((value) => (value === null || !shown(value) ? null : heat((value - least) / span)));
+  const part = (/** @type {number} */ value) => (greatest > least ? (value - least) / (greatest - least) : 1);
+  const colours = values.map((value) => (value === null || !shown(value) ? null : heat(part(value))));
   return greatest === undefined ? { colours, words: [] } : { colours, ramp: [least, greatest, unit] };
 }
 
