@@ -102,7 +102,7 @@ function levelSection(level, visit, open, other) {
     link.addEventListener("click", () => visit(imageRow, imageCol));
     return link;
   });
-  section.append(make("div", { class: "links" }, ...links));
+  section.append(make("div", { class: "buttons" }, ...links));
   return section;
 }
 

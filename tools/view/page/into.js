@@ -192,8 +192,8 @@ export class Into {
       const stage = rgb === null && place.stage === "picture" ? "sample" : place.stage;
       const shown = await pictures.stage(stage, plane, blocks);
       const twin = place.beside === "twin" ? await pictures.once("twin-blocks", plane, (query) => askJson("twin-blocks", query)) : null;
-      const same = /original|difference|dut/.test(stage) ? "picture" : stage;
-      const beside = place.beside === "none" ? null : await pictures.stage(twin ? `twin-${same}` : place.beside, plane, twin ?? blocks);
+      const second = twin ? `twin-${/original|difference|dut/.test(stage) ? "picture" : stage}` : place.beside;
+      const beside = second === "none" ? null : await pictures.stage(second, plane, twin ?? blocks);
       const block = place.block && place.block[0] < blocks.columns && place.block[1] < blocks.rows ? place.block : null;
       const query = { ...plane, block: block?.join(",") ?? "" };
       const answer = block && (await pictures.once("block", query, (asked) => askJson("block", asked)));
