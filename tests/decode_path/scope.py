@@ -35,14 +35,3 @@ def not_decoding(model):
         lines = function_lines((model / name).read_text(), entry["begins"])
         skipped[name] = skipped.get(name, set()) | lines
     return skipped
-
-
-def decode_path_files(model):
-    """The sources of the decode path, relative to model/, sorted by layer and name."""
-    skipped = not_decoding(model)
-    return [
-        path.relative_to(model).as_posix()
-        for layer in LAYERS
-        for path in sorted((model / layer).rglob("*.?pp"))
-        if skipped.get(path.relative_to(model).as_posix(), ()) is not None
-    ]

@@ -52,6 +52,17 @@ class Beside(IntoCase):
             self.assertEqual((int(x), int(y), int(bits), int(read)), (at % COLUMNS, at // COLUMNS, told["bits"][at], told["read"][at]))
             self.assertEqual(state, self.inspect((int(x), int(y)), file="tree.hmlfc")["levels"][-1]["state"])
 
+    def test_another_stream_is_looked_into_beside(self):
+        self.look("a.hmlfc", "--original", "tree.hmlfc", beside="twin", stage="sample", block="10,6")
+        own, twin = (self.inspect((10, 6), file=file)["levels"][-1]["stages"]["sample"]["values"] for file in ("a.hmlfc", "tree.hmlfc"))
+        for name, values in ("picture", own), ("picture-beside", twin):
+            self.assertEqual(self.at(42, 25, name), (values[1][2],) * 3)
+        marked = self.browser.script("return [...document.querySelectorAll('#block > section')].map((half) => [...half.querySelectorAll("
+                                     "  '.matrix:last-of-type td')].slice(-16).map((cell) => [Number(cell.textContent), cell.className === 'wrong']))")
+        pairs = list(zip(sum(own, []), sum(twin, [])))
+        self.assertEqual(marked, [[[a, a != b] for a, b in pairs], [[b, a != b] for a, b in pairs]])
+        self.assertTrue(self.browser.page.find_elements("css selector", ".differs"))
+
     def test_the_bar_below_the_picture_moves(self):
         from selenium.webdriver.common.keys import Keys
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""hmlfc publish: its page in Chromium, with and without WebGPU, on hosts with and without ranges.
+"""hmlfc publish: its page in Chromium, with and without WebGPU, on hosts with and without ranges; and in Firefox.
 
 usage: publish_test.py HMLFC
 """
@@ -9,6 +9,8 @@ import itertools
 import json
 import random
 import re
+import shutil
+import subprocess
 import threading
 from pathlib import Path
 
@@ -24,7 +26,7 @@ TITLE, TEXT = 'Cards & "cups" <b>', "25 photographs of a table"
 class Handler(http.server.SimpleHTTPRequestHandler):
     """A host of static files; with `ranges`, it answers requests for those, and may claim other sizes."""
 
-    root, ranges, versions, claimed = None, True, None, None
+    root, ranges, versions, claimed, asked = None, True, None, None, []
 
     def translate_path(self, path):
         return str(Handler.root / path.split("?")[0].lstrip("/"))
@@ -45,7 +47,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         self.wfile.write(part)
 
     def log_message(self, *_):
-        pass
+        Handler.asked.append(self.path)
 
 
 def serve_site(root):
@@ -129,13 +131,11 @@ class PublishTest(CliTest):
 
     def test_host_without_ranges(self):
         Handler.ranges = False
-        try:
-            self.browser.open(self.address)
-            self.assertEqual(self.until_drawn(), "")
-            self.press(" ")
-            self.equals_render()
-        finally:
-            Handler.ranges = True
+        self.addCleanup(setattr, Handler, "ranges", True)
+        self.browser.open(self.address)
+        self.assertEqual(self.until_drawn(), "")
+        self.press(" ")
+        self.equals_render()
 
     def apertures_between(self):
         """What is shown of a frame between two apertures is the sum of their parts."""
@@ -177,29 +177,24 @@ class PublishTest(CliTest):
         noise = random.Random(1).randbytes(len(intact))
         damages = ((intact[:400] + noise[400:], 0, "A part of this light field is damaged"), (intact[:2000], 0, "is damaged (error 1)"),
                    (noise, 0, "no light field"), (intact, 2**31, "is damaged (error 9)"), (intact, 2**31 + 1, "more than 2 GiB"))
+        self.addCleanup(stream.write_bytes, intact)
+        self.addCleanup(setattr, Handler, "claimed", None)
         for damaged, Handler.claimed, wanted in damages:
             with self.subTest(wanted):
                 stream.write_bytes(damaged)
-                try:
-                    self.browser.open(self.address)
-                    self.assertIn(wanted, self.until_drawn())
-                finally:
-                    stream.write_bytes(intact)
-                    Handler.claimed = None
+                self.browser.open(self.address)
+                self.assertIn(wanted, self.until_drawn())
         self.browser.page.get_log("browser")  # says why, too
 
     def test_a_file_that_changes(self):
         stream = Handler.root / "light-field.hmlfc"
-        intact = stream.read_bytes()
+        self.addCleanup(stream.write_bytes, stream.read_bytes())
         self.hmlfc(*"encode views -o large.hmlfc --lossless".split())
         stream.write_bytes((self.folder / "large.hmlfc").read_bytes())
         Handler.versions = itertools.count()
-        try:
-            self.browser.open(self.address)
-            self.assertIn("file has changed", self.until_drawn())
-        finally:
-            Handler.versions = None
-            stream.write_bytes(intact)
+        self.addCleanup(setattr, Handler, "versions", None)
+        self.browser.open(self.address)
+        self.assertIn("file has changed", self.until_drawn())
         self.browser.page.get_log("browser")
 
     def test_files_of_others_stay(self):
@@ -221,13 +216,19 @@ class PublishTest(CliTest):
 
     def test_without_webgpu(self):
         browser = Browser(self.folder / "plain", ("--disable-gpu",))
-        try:
-            browser.open(self.address)
-            text = browser.until("a sentence", lambda: browser.text("notice"), PATIENCE)
-            self.assertIn("no WebGPU", text)
-            self.assertTrue(browser.script("return document.getElementById('still').src").endswith("loop.png"))
-        finally:
-            browser.end()
+        self.addCleanup(browser.end)
+        browser.open(self.address)
+        self.assertIn("no WebGPU", browser.until("a sentence", lambda: browser.text("notice"), PATIENCE))
+        self.assertTrue(browser.script("return document.getElementById('still').src").endswith("loop.png"))
+
+    def test_in_firefox(self):
+        """The page's script comes to the stream or, where there is no WebGPU, to the recording."""
+        if (firefox := shutil.which("firefox-esr")) is None:
+            self.skipTest("firefox-esr is missing")
+        Handler.asked.clear()
+        command = [firefox, "--headless", "--no-remote", "--profile", self.folder, "--screenshot", self.folder / "page.png"]
+        subprocess.run([*command, self.address], stderr=subprocess.DEVNULL, timeout=PATIENCE, check=True)
+        self.assertTrue({"/light-field.hmlfc", "/loop.png"} & set(Handler.asked), Handler.asked)
 
 
 if __name__ == "__main__":

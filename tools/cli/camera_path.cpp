@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <hmlfc/disparity.hpp>
 #include <hmlfc/focus.hpp>
 
 #include "cli/arguments.hpp"
@@ -62,34 +61,21 @@ std::vector<PathFrame> line(const Camera& camera, const StreamHeader& header, in
   return path;
 }
 
-// The disparities of nearly all of what the view nearest to the camera shows: from the nearest to
-// the farthest, without one percent at each end, where a stream may be wrong.
-std::array<double, 2> known_range(const StreamFile& file, const Camera& camera) {
-  const StreamHeader& header = file.header();
-  const WorldPoint at = camera.position.value_or(middle_of(header));
-  const auto nearest = [](double place, uint32_t count) {
-    return static_cast<uint32_t>(std::clamp(std::floor(place + 0.5), 0.0, count - 1.0));
-  };
-  const ViewPos view{nearest(at.v, header.rows), nearest(at.u, header.cols)};
-  std::vector<int16_t> known;
-  for (const BlockDisparity& block : file.value(disparity_map(file.decoder(), view)).blocks) {
-    if (block.confidence > 0) known.push_back(block.disparity);
+// One camera, whose focus goes from near to far, or as --focus says.
+std::vector<PathFrame> focal_stack(const CameraOptions& options, const Camera& camera,
+                                   const StreamFile& file) {
+  std::optional range = options.focus;
+  if (!range) {
+    const ViewPos view =
+        nearest_view(file.header(), camera.position.value_or(middle_of(file.header())));
+    range = known_range(file.value(disparity_map(file.decoder(), view)));
   }
-  if (known.empty()) {
+  if (!range) {
     throw Failure(ExitCode::kInput, file.path().string() +
                                         " does not say how far away things are; add where the "
                                         "focus begins and ends, such as --focus -2..2");
   }
-  std::ranges::sort(known);
-  const size_t few = known.size() / 100;
-  return {known[few] / double{kDisparityUnits},
-          known[known.size() - 1 - few] / double{kDisparityUnits}};
-}
-
-// One camera, whose focus goes from near to far, or as --focus says.
-std::vector<PathFrame> focal_stack(const CameraOptions& options, const Camera& camera,
-                                   const StreamFile& file) {
-  const auto [first, last] = options.focus ? *options.focus : known_range(file, camera);
+  const auto [first, last] = *range;
   const int frames = options.frames.value_or(kPathFrames);
   std::vector<PathFrame> path(static_cast<size_t>(frames), PathFrame{camera});
   for (int k = 0; k < frames; ++k) {
@@ -265,6 +251,25 @@ double focus_of(const StreamFile& file, const Camera& camera, FramePixel at,
 }
 
 }  // namespace
+
+ViewPos nearest_view(const StreamHeader& header, const WorldPoint& at) {
+  const auto nearest = [](double place, uint32_t count) {
+    return static_cast<uint32_t>(std::clamp(std::floor(place + 0.5), 0.0, count - 1.0));
+  };
+  return {nearest(at.v, header.rows), nearest(at.u, header.cols)};
+}
+
+std::optional<std::array<double, 2>> known_range(const DisparityMap& map) {
+  std::vector<int16_t> known;
+  for (const BlockDisparity& block : map.blocks) {
+    if (block.confidence > 0) known.push_back(block.disparity);
+  }
+  if (known.empty()) return std::nullopt;
+  std::ranges::sort(known);
+  const size_t few = known.size() / 100;
+  return {{known[few] / double{kDisparityUnits},
+           known[known.size() - 1 - few] / double{kDisparityUnits}}};
+}
 
 double tan_half_of(double degrees) { return on_grid(std::tan(degrees / 360 * std::numbers::pi)); }
 

@@ -1,10 +1,12 @@
 // The cameras of all frames of a command.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include <hmlfc/camera.hpp>
+#include <hmlfc/disparity.hpp>
 
 #include "cli/camera_options.hpp"
 #include "cli/view_source.hpp"
@@ -26,6 +28,13 @@ struct CameraPath {
 /// focus_at is no pixel of the frame, or sees nothing of the light field (kUsage), or the stream
 /// does not know what it sees (kInput); a corrupt stream (kCorrupt).
 CameraPath cameras_of(const CameraOptions& options, const StreamFile& file);
+
+/// The view nearest to `at`.
+ViewPos nearest_view(const StreamHeader& header, const WorldPoint& at);
+
+/// The disparities of nearly all that `map` knows, in pixels a column, the least and the greatest:
+/// without one percent at each end, where a stream may be wrong. None where it knows nothing.
+std::optional<std::array<double, 2>> known_range(const DisparityMap& map);
 
 /// tan(degrees / 2) as a multiple of 2^-20, so that every library gives the same (CAM-3).
 double tan_half_of(double degrees);

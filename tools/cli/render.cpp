@@ -146,12 +146,7 @@ class RenderRun {
   }
 
   // Reads only what frames need, so section checksums are not checked.
-  OpenOptions open_options() {
-    OpenOptions options;
-    options.check_sections = false;
-    options.reads = &touched_;
-    return options;
-  }
+  OpenOptions open_options() { return {.check_sections = false, .reads = &touched_}; }
 
   FrameRecord record_of(size_t k) const { return *frame_record(cameras_[k], file_.header()); }
 

@@ -123,12 +123,10 @@ class FieldStream {
 };
 
 IndexLayout index_from(const Json& json) {
-  IndexLayout layout;
-  layout.least_offset_bits = json.value("least_offset_bits", 1u);
-  layout.spare_records = json.value("spare_records", 0u);
-  layout.spare_bytes = json.value("spare_bytes", 0u);
-  layout.records_of_empty = json.value("records_of_empty", false);
-  return layout;
+  return {.least_offset_bits = json.value("least_offset_bits", 1u),
+          .spare_records = json.value("spare_records", 0u),
+          .spare_bytes = json.value("spare_bytes", 0u),
+          .records_of_empty = json.value("records_of_empty", false)};
 }
 
 class HeaderDraw {

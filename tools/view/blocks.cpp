@@ -9,7 +9,6 @@
 
 #include "cli/arguments.hpp"
 #include "cli/block_request.hpp"
-#include "io/pictures.hpp"
 #include "syntax/geometry.hpp"
 #include "view/block_page.hpp"
 #include "view/pixels.hpp"
@@ -120,18 +119,9 @@ Response Blocks::picture(const Query& query) const {
   return picture_answer(decoded(stream_.for_blocks(), request));
 }
 
-Response Blocks::original(const Query& query) const {
-  const PlaneRequest request = read_plane_request(query, false);
-  stop_level(stream_.for_blocks(), request);
-  return picture_answer(original_of(stream_).view(*request.view));
-}
-
-Response Blocks::difference(const Query& query) const {
-  const PlaneRequest request = read_plane_request(query, false, add_gain);
-  const RgbImage image = decoded(stream_.for_blocks(), request);
-  const RgbImage original = original_of(stream_).view(*request.view);
-  return picture_answer(
-      cli::value_or_throw(io::difference_picture(original, image, request.gain), ExitCode::kInput));
+Response Blocks::original(const Query& query, bool difference) const {
+  return other_picture(stream_.for_blocks(), query, difference,
+                       [this](ViewPos view) { return original_of(stream_).view(view); });
 }
 
 Response Blocks::stage(const Query& query) {
@@ -144,8 +134,7 @@ Response Blocks::stage(const Query& query) {
   const int level = stop_level(stream_.for_blocks(), request);
   const auto traced = trace({request.view->row, request.view->col, request.plane, level});
   const std::vector<int16_t>& samples = traced->stages[stage];
-  Response response;
-  response.type = "application/octet-stream";
+  Response response{.type = "application/octet-stream"};
   for (const int16_t sample : samples) {
     response.body += {static_cast<char>(sample & 0xFF), static_cast<char>(sample >> 8)};
   }
@@ -168,9 +157,7 @@ Response Blocks::blocks(const Query& query) {
         psnr_of_blocks(*traced, stream_.original()->view(*request.view), decoded(file, request),
                        block_pixels(file.header(), request.plane));
   }
-  Response response;
-  response.body = json.dump();
-  return response;
+  return {.body = json.dump()};
 }
 
 Response Blocks::block(const Query& query) const {
@@ -182,9 +169,7 @@ Response Blocks::block(const Query& query) const {
   file.check_readable();
   Json json = block_page(report, file);
   json["error"] = decoded ? Json(nullptr) : Json(to_string(decoded.error()));
-  Response response;
-  response.body = json.dump();
-  return response;
+  return {.body = json.dump()};
 }
 
 }  // namespace hmlfc::view

@@ -24,11 +24,8 @@ class Blocks {
   /// The view in RGB, with all planes.
   Response picture(const Query& query) const;
 
-  /// The view of the original in RGB.
-  Response original(const Query& query) const;
-
-  /// 128 + gain * (original - decoded) of the view; `gain` in [1, 64], 4 by default.
-  Response difference(const Query& query) const;
+  /// The view of the original, as other_picture() has it.
+  Response original(const Query& query, bool difference) const;
 
   /// A stage of a plane: 16 bits a sample, little-endian; -32768 where the block has none.
   Response stage(const Query& query);

@@ -24,8 +24,8 @@ struct Request {
 struct Response {
   int status = 200;
   std::string type = "application/json; charset=utf-8";
-  std::string body;
-  std::vector<std::pair<std::string, std::string>> headers;  ///< besides those of guard.hpp
+  std::string body{};
+  std::vector<std::pair<std::string, std::string>> headers{};  ///< besides those of guard.hpp
 };
 
 }  // namespace hmlfc::view

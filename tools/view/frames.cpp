@@ -68,20 +68,16 @@ Response Frames::png(const Query& query) {
   render(query);
   const std::vector<uint8_t> bytes = io::encode_png(frame_.image);
   if (bytes.empty()) throw Failure(ExitCode::kOutOfMemory, "not enough memory for a PNG file");
-  Response response;
-  response.type = "image/png";
-  response.headers.emplace_back("Content-Disposition", "attachment; filename=\"frame.png\"");
-  response.body.assign(bytes.begin(), bytes.end());
-  return response;
+  return {.type = "image/png",
+          .body = {bytes.begin(), bytes.end()},
+          .headers = {{"Content-Disposition", "attachment; filename=\"frame.png\""}}};
 }
 
 Response Frames::focus(const Query& query) const {
   const LookQuery look = read_look_query(query);
   if (!look.cameras.focus_at) throw Failure(ExitCode::kUsage, "focus-at is missing");
   const Camera camera = cameras_of(look.cameras, stream_.for_blocks()).cameras.front();
-  Response response;
-  response.body = Json{{"focus", camera.focus}}.dump();
-  return response;
+  return {.body = Json{{"focus", camera.focus}}.dump()};
 }
 
 Response Frames::trace(const Query& query) const {
@@ -92,9 +88,7 @@ Response Frames::trace(const Query& query) const {
   const Camera camera = cameras_of(look.cameras, file).cameras.front();
   Json json = trace_json(file, record_of(camera, file), stop_level_of(look, file), *pixel);
   json["inputs"] = vectors::camera_words(camera);
-  Response response;
-  response.body = json.dump();
-  return response;
+  return {.body = json.dump()};
 }
 
 void Frames::finish_ahead() {

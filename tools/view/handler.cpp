@@ -18,9 +18,9 @@ using cli::Json;
 
 namespace {
 
-// Text of any bytes as JSON.
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+// With text of any bytes.
+Response json_answer(const Json& json, int status = 200) {
+  return {.status = status, .body = json.dump(-1, ' ', true, Json::error_handler_t::replace)};
 }
 
 int status_of(ExitCode code) {
@@ -37,22 +37,15 @@ int status_of(ExitCode code) {
   }
 }
 
-Response json_answer(const Json& json) {
-  Response response;
-  response.body = dump(json);
-  return response;
-}
-
 }  // namespace
 
 Response refusal(int status, const std::string& text) {
-  Response response = json_answer({{"error", text}});
-  response.status = status;
-  return response;
+  return json_answer({{"error", text}}, status);
 }
 
 Handler::Handler(Site site, OpenStream& stream, OtherDecoder* other, bool ahead)
     : site_(std::move(site)), stream_(stream), frames_(stream, ahead), blocks_(stream) {
+  if (stream.twin() != nullptr) twin_.emplace(*stream.twin());
   if (other == nullptr) return;
   other_name_ = other->name();
   other_.emplace(stream, *other);
@@ -92,12 +85,16 @@ Response Handler::answer_get(std::string_view path, const Query& query) {
   if (path == "frame.png") return frames_.png(query);
   if (path == "focus") return frames_.focus(query);
   if (path == "trace") return frames_.trace(query);
-  if (path == "picture") return blocks_.picture(query);
-  if (path == "original") return blocks_.original(query);
-  if (path == "difference") return blocks_.difference(query);
-  if (path == "stage") return blocks_.stage(query);
-  if (path == "blocks") return blocks_.blocks(query);
-  if (path == "block") return blocks_.block(query);
+  const bool beside = twin_ && path.starts_with("twin-");
+  Blocks& blocks = beside ? *twin_ : blocks_;
+  if (beside) path.remove_prefix(5);
+  if (path == "picture") return blocks.picture(query);
+  if (path == "original" || path == "difference") {
+    return blocks.original(query, path == "difference");
+  }
+  if (path == "stage") return blocks.stage(query);
+  if (path == "blocks") return blocks.blocks(query);
+  if (path == "block") return blocks.block(query);
   if (path.starts_with("dut-")) return answer_other(path, query);
   if (path == "stream") {
     Json facts = stream_facts(stream_);
@@ -108,18 +105,15 @@ Response Handler::answer_get(std::string_view path, const Query& query) {
   if (path.empty()) pages_.sent(std::chrono::steady_clock::now());
   const Asset* asset = find_asset(path.empty() ? "index.html" : path);
   if (asset == nullptr) return refusal(404, "No such address");
-  Response response;
-  response.type = asset->type;
-  response.body = asset->content;
-  return response;
+  return {.type = std::string(asset->type), .body = std::string(asset->content)};
 }
 
 Response Handler::answer_other(std::string_view path, const Query& query) {
   if (!other_) {
     return refusal(400, "there is no decoder under test; start with --dut DUT");
   }
-  if (path == "dut-picture") return other_->picture(query);
-  if (path == "dut-difference") return other_->difference(query);
+  if (path == "dut-picture") return other_->picture(query, false);
+  if (path == "dut-difference") return other_->picture(query, true);
   if (path == "dut-blocks") return other_->blocks(query);
   if (path == "dut-block") return other_->block(query);
   return refusal(404, "No such address");

@@ -45,7 +45,8 @@ class Handler {
   OpenStream& stream_;
   Frames frames_;
   Blocks blocks_;
-  std::string other_name_;  // empty without a decoder under test
+  std::optional<Blocks> twin_;  // of the stream beside it
+  std::string other_name_;      // empty without a decoder under test
   std::optional<OtherBlocks> other_;
   Pages pages_;
 };

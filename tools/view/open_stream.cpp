@@ -14,6 +14,7 @@ OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem:
   open(cli::open_source(file));
   if (original.empty()) return;
   original_ = cli::ViewSource::open(original, naming);
+  if (!std::filesystem::is_directory(original)) twin_ = std::make_unique<OpenStream>(original);
   if (for_blocks_ == nullptr) return;
   const LightFieldShape shape = cli::shape_of(for_blocks_->header());
   if (original_->shape() == shape) return;
@@ -30,8 +31,7 @@ OpenStream::OpenStream(const std::filesystem::path& name, std::span<const uint8_
 
 void OpenStream::open(const std::shared_ptr<const remote::OpenSource>& source) {
   touched_ = std::make_unique<FrameReads>(source->bytes->bytes().size());
-  OpenOptions options;
-  options.check_sections = false;
+  OpenOptions options{.check_sections = false};
   try {
     for_blocks_ = std::make_unique<StreamFile>(path_, source, options);
     options.reads = touched_.get();

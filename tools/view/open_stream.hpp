@@ -43,6 +43,9 @@ class OpenStream {
   /// Null where there is none.
   const cli::ViewSource* original() const { return original_.get(); }
 
+  /// The original, where it is a stream, to look into; null otherwise.
+  OpenStream* twin() const { return twin_.get(); }
+
  private:
   const cli::StreamFile& opened(const std::unique_ptr<cli::StreamFile>& file) const;
   void open(const std::shared_ptr<const remote::OpenSource>& source);
@@ -52,6 +55,7 @@ class OpenStream {
   std::unique_ptr<cli::StreamFile> for_frames_;
   std::unique_ptr<cli::StreamFile> for_blocks_;
   std::unique_ptr<cli::ViewSource> original_;
+  std::unique_ptr<OpenStream> twin_;
   std::string error_;
   std::string warning_;
 };

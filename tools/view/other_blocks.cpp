@@ -4,8 +4,6 @@
 
 #include "cli/block_request.hpp"
 #include "conform/difference.hpp"
-#include "io/pictures.hpp"
-#include "view/pixels.hpp"
 #include "view/plane_request.hpp"
 #include "view/query.hpp"
 
@@ -42,17 +40,9 @@ Json pixels_json(const RgbImage& image, uint32_t bx, uint32_t by, uint32_t side)
 
 }  // namespace
 
-Response OtherBlocks::picture(const Query& query) {
-  const PlaneRequest request = read_plane_request(query, false);
-  stop_level(stream_.for_blocks(), request);
-  return picture_answer(other_.view(*request.view));
-}
-
-Response OtherBlocks::difference(const Query& query) {
-  const PlaneRequest request = read_plane_request(query, false, add_gain);
-  const RgbImage golden = decoded(stream_.for_blocks(), request);
-  return picture_answer(cli::value_or_throw(
-      io::difference_picture(other_.view(*request.view), golden, request.gain), ExitCode::kInput));
+Response OtherBlocks::picture(const Query& query, bool difference) {
+  return other_picture(stream_.for_blocks(), query, difference,
+                       [this](ViewPos view) { return other_.view(view); });
 }
 
 Response OtherBlocks::blocks(const Query& query) {
@@ -61,9 +51,7 @@ Response OtherBlocks::blocks(const Query& query) {
   const RgbImage golden = decoded(file, request);
   const auto map = conform::compare_blocks(golden, other_.view(*request.view),
                                            block_pixels(file.header(), request.plane));
-  Response response;
-  response.body = Json{{"worst", map.worst}}.dump();
-  return response;
+  return {.body = Json{{"worst", map.worst}}.dump()};
 }
 
 Response OtherBlocks::block(const Query& query) {
@@ -90,9 +78,7 @@ Response OtherBlocks::block(const Query& query) {
     json["pixels"] = pixels_json(other_.view(*request.view), bx, by, pixels);
     json["golden"] = pixels_json(golden, bx, by, pixels);
   }
-  Response response;
-  response.body = json.dump();
-  return response;
+  return {.body = json.dump()};
 }
 
 }  // namespace hmlfc::view

@@ -15,11 +15,8 @@ class OtherBlocks {
   /// Both must outlive it.
   OtherBlocks(OpenStream& stream, OtherDecoder& other) : stream_(stream), other_(other) {}
 
-  /// Its view in RGB.
-  Response picture(const Query& query);
-
-  /// 128 + gain * (its view - the golden model's).
-  Response difference(const Query& query);
+  /// Its view, as other_picture() has it.
+  Response picture(const Query& query, bool difference);
 
   /// {"worst": [...]}: of each block of the plane, row by row, the largest difference of a sample
   /// in RGB.

@@ -18,11 +18,9 @@ std::string rgba_bytes(const RgbImage& image) {
 }
 
 Response picture_answer(const RgbImage& image) {
-  Response response;
-  response.type = "application/octet-stream";
-  response.headers.emplace_back("Picture-Size", fmt::format("{},{}", image.width, image.height));
-  response.body = rgba_bytes(image);
-  return response;
+  return {.type = "application/octet-stream",
+          .body = rgba_bytes(image),
+          .headers = {{"Picture-Size", fmt::format("{},{}", image.width, image.height)}}};
 }
 
 }  // namespace hmlfc::view

@@ -15,7 +15,6 @@ struct PlaneRequest {
   std::optional<ViewPos> view;
   Plane plane = Plane::kY;
   std::optional<int> levels;  ///< of the tree, from the top; else all
-  int32_t gain = 4;           ///< of differences
 };
 
 /// Reads a query with view and levels, with `plane` or without, and what `add` adds. Failures:
@@ -23,15 +22,17 @@ struct PlaneRequest {
 PlaneRequest read_plane_request(const Query& query, bool plane,
                                 const std::function<void(CLI::App&, PlaneRequest&)>& add = nullptr);
 
-/// Adds --gain in [1, 64].
-void add_gain(CLI::App& app, PlaneRequest& request);
-
 /// The stop level of `request`, whose view is in the grid. Usage failures: it is not, or levels
 /// that the stream has not.
 int stop_level(const cli::StreamFile& file, const PlaneRequest& request);
 
 /// The view in RGB, down to its stop level. Failures: those of stop_level(), a corrupt stream.
 RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request);
+
+/// The view of `other` in RGB or, with `difference`, 128 + gain * (it - decoded); `gain` in
+/// [1, 64], 4 by default.
+Response other_picture(const cli::StreamFile& file, const Query& query, bool difference,
+                       const std::function<RgbImage(ViewPos)>& other);
 
 /// Pixels of a view that are a side of a block of the plane: B, or 2 B where chroma has half the
 /// size.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,13 +14,10 @@
 
 #include <fmt/format.h>
 
-#include <hmlfc/disparity.hpp>
-
 #include "cli/arguments.hpp"
 #include "cli/camera_path.hpp"
 #include "cli/commands.hpp"
 #include "cli/render_backend.hpp"
-#include "io/disparity_range.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "syntax/geometry.hpp"
@@ -33,8 +31,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kSign = "hmlfc publish";
 constexpr std::string_view kStream = "light-field.hmlfc";
-constexpr unsigned kLoopRate = 12;  // frames per second
-constexpr int kLoopFrames = 24;
+constexpr unsigned kLoopRate = 10;  // frames per second
+constexpr int kLoopFrames = 30;
 constexpr uint32_t kLoopSide = 320;                 // pixels of its longer side, at most
 constexpr uint32_t kStillSide = 1200;               // likewise
 constexpr uint64_t kMostBytes = uint64_t{1} << 31;  // MOST of ranged_file.js
@@ -199,20 +197,14 @@ class Publication {
     return std::move(drawn.image);
   }
 
-  // What the view at `at` shows: the focus in the middle, where none is told, and the focus that
-  // the page offers, that of what there is and a quarter as much on each side.
+  // What the view at `at` shows: the focus in the middle, where none is told, that of what there
+  // is, and the focus that the page offers, a quarter as much more on each side.
   void read_disparities(const WorldPoint& at) {
     const StreamHeader& header = file_.header();
-    const auto nearest = [](double place, uint32_t count) {
-      return static_cast<uint32_t>(std::clamp(std::floor(place + 0.5), 0.0, count - 1.0));
-    };
-    const auto map =
-        disparity_map(file_.decoder(), {nearest(at.v, header.rows), nearest(at.u, header.cols)});
-    io::DisparityRange range;
-    if (map) range.add(*map);
-    if (range.known == 0) return;
-    const double least = static_cast<double>(range.least) / kDisparityUnits;
-    const double most = static_cast<double>(range.greatest) / kDisparityUnits;
+    const auto map = disparity_map(file_.decoder(), nearest_view(header, at));
+    scene_ = map ? known_range(*map) : std::nullopt;
+    if (!scene_) return;
+    const auto [least, most] = *scene_;
     const double aside = std::max(0.5, (most - least) / 4);
     focus_range_ = {std::max(-256.0, least - aside), std::min(256.0, most + aside)};
     CameraOptions& cameras = options_.cameras;
@@ -225,7 +217,7 @@ class Publication {
   }
 
   // The pictures for previews and for browsers that cannot draw. The still is the first frame of
-  // the page: sharp.
+  // the page: sharp. In the moving one the focus goes from near to far and back.
   void write_pictures() {
     const auto renderer = make_renderer({}, file_);
     Camera sharp = camera_;
@@ -237,9 +229,12 @@ class Publication {
     CameraOptions loop = options_.cameras;
     loop.path = "orbit";
     loop.frames = kLoopFrames;
+    const auto [least, most] = scene_.value_or(std::array{camera_.focus, camera_.focus});
     std::vector<RgbImage> frames;
     terminal::ProgressBar progress("Rendering", "frames");
-    for (const Camera& camera : cameras_of(loop, file_).cameras) {
+    for (Camera camera : cameras_of(loop, file_).cameras) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(frames.size()) / kLoopFrames;
+      camera.focus = least + (most - least) * (1 + std::cos(angle)) / 2;
       frames.push_back(frame(*renderer, camera, kLoopSide));
       progress.update(frames.size(), kLoopFrames);
     }
@@ -272,6 +267,7 @@ class Publication {
   fs::path modules_;
   StreamFile file_;
   Camera camera_;
+  std::optional<std::array<double, 2>> scene_{};  // the disparities there are
   std::array<double, 2> focus_range_{-4, 4};
   std::array<uint32_t, 2> still_size_{};
 };

@@ -5,8 +5,8 @@
 #include <hmlfc/camera.hpp>
 #include <hmlfc/version.hpp>
 
+#include "cli/camera_path.hpp"
 #include "cli/stream_report.hpp"
-#include "io/disparity_range.hpp"
 #include "view/image_bytes.hpp"
 
 namespace hmlfc::view {
@@ -21,11 +21,8 @@ Json disparities(const cli::StreamFile& file) {
   const auto map = disparity_map(file.decoder(), {(header.rows - 1) / 2, (header.cols - 1) / 2});
   file.check_readable();
   if (!map) return nullptr;
-  io::DisparityRange range;
-  range.add(*map);
-  if (range.known == 0) return nullptr;
-  return {static_cast<double>(range.least) / kDisparityUnits,
-          static_cast<double>(range.greatest) / kDisparityUnits};
+  const auto range = map ? cli::known_range(*map) : std::nullopt;
+  return range ? Json(*range) : Json(nullptr);
 }
 
 Json counts_json(const std::map<uint32_t, uint64_t>& counts) {
@@ -70,6 +67,7 @@ Json stream_facts(const OpenStream& stream) {
   json["height"] = header.height;
   json["depth"] = header.depth;
   json["block"] = header.block_size();
+  if (stream.twin() != nullptr) json["twin"] = stream_facts(*stream.twin());
   json["coding"] = cli::describe_coding(header);
   json["tools"] = io::tools_of(header);
   json["tree_height"] = header.tree_height;

@@ -55,22 +55,22 @@ export async function askPicture(path, query) {
 
 /**
  * Samples of a stage.
- * @param {Query} query
+ * @param {string} path @param {Query} query
  */
-export async function askSamples(query) {
-  return new Int16Array(await (await ask("stage", query)).arrayBuffer());
+export async function askSamples(path, query) {
+  return new Int16Array(await (await ask(path, query)).arrayBuffer());
 }
 
-/** Tells the server that this page is open, again and again, and when it closes. */
+/** Tells the server that this page is open, again and again, and when it closes: no beacon, of which Firefox hides the origin. */
 export function announcePage() {
   const query = { page: 0 };
-  const opened = () => void fetch(address("opened", query), { method: "POST" }).catch(() => {});
+  const tell = (/** @type {string} */ what) => void fetch(address(what, query), { method: "POST", keepalive: true }).catch(() => {});
   const arrive = () => {
     query.page = crypto.getRandomValues(new Uint32Array(1))[0];
-    opened();
+    tell("opened");
   };
   arrive();
-  setInterval(opened, 10000);
+  setInterval(() => tell("opened"), 10000);
   addEventListener("pageshow", (event) => event.persisted && arrive());
-  addEventListener("pagehide", () => navigator.sendBeacon(address("closed", query)));
+  addEventListener("pagehide", () => tell("closed"));
 }

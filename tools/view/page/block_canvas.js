@@ -82,7 +82,6 @@ export class BlockCanvas {
     };
     target.addEventListener("pointerdown", (event) => {
       target.setPointerCapture(event.pointerId);
-      target.focus({ preventScroll: true });
       held = { x: event.clientX, y: event.clientY, far: 0 };
     });
     target.addEventListener("pointermove", (event) => {

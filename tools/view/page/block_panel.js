@@ -5,14 +5,27 @@ import { clauseButton } from "./clauses.js";
 /** @typedef {(row: number, col: number) => void} Visit */
 
 /**
- * @param {any[]} rows
+ * The fields of a level that another block has not with this value, in the same kind of tile and as often before.
+ * @param {any} page @param {any} other @returns {Set<any>}
  */
-function fieldTable(rows) {
+function differing(page, other) {
+  const kinds = (/** @type {any} */ { walks }) => walks.map((/** @type {any} */ { title, rows }) => [title.replace(/\d+/g, ""), rows]);
+  const there = new Map(kinds(other));
+  return new Set(kinds(page).flatMap((/** @type {[string, any[]]} */ [kind, rows]) => rows.filter(({ name, value }, at) => {
+    const before = rows.slice(0, at).filter((row) => row.name === name).length;
+    return there.get(kind)?.filter((/** @type {any} */ row) => row.name === name)[before]?.value !== value;
+  })));
+}
+
+/**
+ * @param {any[]} rows @param {Set<any>} marked
+ */
+function fieldTable(rows, marked) {
   const names = ["section", "byte.bit", "bits", "field", "raw bits", "value", "clause"];
   const head = make("tr", {}, ...names.map((name) => make("th", { scope: "col" }, name)));
   const lines = rows.map((row) => {
     const texts = [row.section, row.address, row.bits, row.name, row.raw, row.value];
-    return make("tr", {}, ...texts.map((text) => make("td", {}, text)), make("td", {}, clauseButton(row.clause)));
+    return make("tr", marked.has(row) ? { class: "differs" } : {}, ...texts.map((text) => make("td", {}, text)), make("td", {}, clauseButton(row.clause)));
   });
   const table = make("table", { class: "fields" }, make("thead", {}, head), make("tbody", {}, ...lines));
   return make("div", { class: "scroll" }, table);
@@ -69,16 +82,17 @@ function codedValues(level) {
 }
 
 /**
- * @param {any} level of the report @param {any} page its texts @param {Visit} visit @param {boolean} open
+ * @param {any} level of levelsOf() @param {Visit} visit @param {boolean} open @param {any} other the level beside it, if there is one
  */
-function levelSection(level, page, visit, open) {
+function levelSection(level, visit, open, other) {
   const { row, col } = level.image;
-  const title = make("summary", {}, `Level ${level.level}, image row ${row}, column ${col}, ${page.title}`);
+  const title = make("summary", {}, `Level ${level.level}, image row ${row}, column ${col}, ${level.title}`);
   const section = make("details", open ? { open: "" } : {}, title);
-  for (const walk of page.walks) section.append(make("h4", {}, walk.title), fieldTable(walk.rows));
-  if (page.formulas) section.append(make("pre", {}, page.formulas.replace(/\n$/, "")));
-  const stages = Object.entries(level.stages).map(([name, stage]) =>
-    matrix(`${name} ${/** @type {any} */ (stage).clause}`, /** @type {any} */ (stage).values));
+  const marked = other ? differing(level, other) : new Set();
+  for (const walk of level.walks) section.append(make("h4", {}, walk.title), fieldTable(walk.rows, marked));
+  if (level.formulas) section.append(make("pre", {}, level.formulas.replace(/\n$/, "")));
+  const stages = Object.entries(level.stages).map(([name, { clause, values }]) =>
+    matrix(`${name} ${clause}`, values, other?.stages[name]?.values));
   section.append(make("div", { class: "matrices" }, ...codedValues(level), ...stages));
   if (level.level !== 0) return section;
   const images = new Set(level.vectors.map((/** @type {any} */ v) => `${v.image.row},${v.image.col}`));
@@ -88,23 +102,37 @@ function levelSection(level, page, visit, open) {
     link.addEventListener("click", () => visit(imageRow, imageCol));
     return link;
   });
-  section.append(make("div", { class: "links" }, ...links));
+  section.append(make("div", { class: "buttons" }, ...links));
+  return section;
+}
+
+/**
+ * Each level of the report with its texts.
+ * @param {any} answer @returns {any[]}
+ */
+const levelsOf = ({ report, levels }) => report.levels.map((/** @type {any} */ level, /** @type {number} */ at) => ({ ...level, ...levels[at] }));
+
+/**
+ * @param {string} name of the stream, if there are two @param {any} answer @param {Visit} visit @param {any} other the block beside it, or null
+ */
+function blockSection(name, answer, visit, other) {
+  const { view, plane, block, levels: { length }, cost } = answer.report;
+  const section = make("section", {},
+    make("h2", {}, `${name}Block x ${block[0]}, y ${block[1]} of plane ${plane} of view row ${view.row}, column ${view.col}`));
+  if (answer.error) section.append(make("p", { class: "error" }, answer.error));
+  section.append(...levelsOf(answer).map((level, at) =>
+    levelSection(level, visit, at === length - 1, other && levelsOf(other).find((one) => one.level === level.level))));
+  section.append(make("p", { class: "help" },
+    `Cost: ${cost.walks} walks, ${cost.fields} fields of ${cost.bits} bits = ${cost.bytes} bytes, ${cost.steps} serial steps`));
   return section;
 }
 
 /**
  * @param {any} answer of the server, or null for no block
  * @param {Visit} visit called for a reference image of level 0
+ * @param {any} other the block of the stream beside it, or null; what differs is marked @param {string[]} names of both streams
  */
-export function showBlock(answer, visit) {
-  const panel = any("block");
-  panel.replaceChildren();
-  if (answer === null) return;
-  const { view, plane, block, levels, cost } = answer.report;
-  panel.append(make("h2", {}, `Block x ${block[0]}, y ${block[1]} of plane ${plane} of view row ${view.row}, column ${view.col}`));
-  if (answer.error) panel.append(make("p", { class: "error" }, answer.error));
-  levels.forEach((/** @type {any} */ level, /** @type {number} */ at) =>
-    panel.append(levelSection(level, answer.levels[at], visit, at === levels.length - 1)));
-  panel.append(make("p", { class: "help" },
-    `Cost: ${cost.walks} walks, ${cost.fields} fields of ${cost.bits} bits = ${cost.bytes} bytes, ${cost.steps} serial steps`));
+export function showBlock(answer, visit, other, names) {
+  const pair = other ? [[`${names[0]}: `, answer, other], [`${names[1]}: `, other, answer]] : answer ? [["", answer, null]] : [];
+  any("block").replaceChildren(...pair.map(([name, one, beside]) => blockSection(name, one, visit, beside)));
 }

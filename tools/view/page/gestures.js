@@ -28,7 +28,6 @@ export function listen(target, gestures) {
     if (fingers.size === 0) travelled = 0;
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     turning = event.button === 2 || event.shiftKey || fingers.size > 1;
-    target.focus({ preventScroll: true });
   });
 
   target.addEventListener("pointermove", (event) => {

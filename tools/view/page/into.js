@@ -14,20 +14,7 @@ import { showTotals } from "./totals.js";
 
 /** @typedef {import("./ask.js").Query} Query */
 
-/**
- * @typedef {object} Place
- * @property {number} row of the view
- * @property {number} col
- * @property {string} plane
- * @property {number} levels of the tree
- * @property {string} stage
- * @property {string} beside a stage, or "none"
- * @property {string} overlay
- * @property {boolean} blocks lines between blocks
- * @property {boolean} tiles
- * @property {boolean} vectors
- * @property {[number, number] | null} block column, row
- */
+/** @typedef {ReturnType<Into["firstPlace"]>} Place */
 
 const LISTS = /** @type {const} */ (["plane", "stage", "beside", "overlay"]);
 const CHECKS = /** @type {const} */ (["blocks", "tiles", "vectors"]);
@@ -41,7 +28,11 @@ export class Into {
     this.place = this.firstPlace();
     this.map = new GridMap(canvas("into-map"), stream, (row, col) => this.change({ row: Math.round(row), col: Math.round(col) }));
     this.canvas = new BlockCanvas(canvas("picture"), (x, y) => this.hover(x, y), (x, y) => this.pin(x, y));
-    this.beside = new BlockCanvas(canvas("picture-beside"), (x, y) => this.hover(x, y), (x, y) => this.pin(x, y));
+    // The picture beside it may have half as many samples.
+    /** @type {(at: number) => number} */
+    const across = (at) => Math.floor((at * (this.canvas.layers?.picture.width ?? 0)) / (this.beside.layers?.picture.width ?? 1));
+    /** @type {BlockCanvas} */
+    this.beside = new BlockCanvas(canvas("picture-beside"), (x, y) => this.hover(across(x), across(y)), (x, y) => this.pin(across(x), across(y)));
     this.pictures = new PlanePictures(stream.depth);
     this.blocks = null;
     /** @type {Int16Array | null} */
@@ -50,11 +41,11 @@ export class Into {
     this.prepareControls();
   }
 
-  /** @returns {Place} */
   firstPlace() {
+    const block = /** @type {[number, number] | null} column, row */ (null);
     return {
       row: Math.floor((this.stream.rows - 1) / 2), col: Math.floor((this.stream.cols - 1) / 2), plane: "Y",
-      levels: this.all, stage: "picture", beside: "none", overlay: "none", blocks: false, tiles: false, vectors: false, block: null,
+      levels: this.all, stage: "picture", beside: "none", overlay: "none", blocks: false, tiles: false, vectors: false, block,
     };
   }
 
@@ -71,6 +62,7 @@ export class Into {
       }
     }
     for (const option of select("stage").options) select("beside").add(new Option(option.text, option.value));
+    if (this.stream.twin) select("beside").add(new Option(`the same of ${this.stream.twin.name}`, "twin"));
     const last = { row: this.stream.rows - 1, col: this.stream.cols - 1 };
     for (const side of /** @type {const} */ (["row", "col"])) {
       input(`view-${side}`).addEventListener("change", () => {
@@ -199,15 +191,20 @@ export class Into {
       const rgb = await pictures.rgb("picture", view).catch(() => null);
       const stage = rgb === null && place.stage === "picture" ? "sample" : place.stage;
       const shown = await pictures.stage(stage, plane, blocks);
-      const beside = place.beside === "none" ? null : await pictures.stage(place.beside, plane, blocks);
+      const twin = place.beside === "twin" ? await pictures.once("twin-blocks", plane, (query) => askJson("twin-blocks", query)) : null;
+      const second = twin ? `twin-${/original|difference|dut/.test(stage) ? "picture" : stage}` : place.beside;
+      const beside = second === "none" ? null : await pictures.stage(second, plane, twin ?? blocks);
       const block = place.block && place.block[0] < blocks.columns && place.block[1] < blocks.rows ? place.block : null;
       const query = { ...plane, block: block?.join(",") ?? "" };
       const answer = block && (await pictures.once("block", query, (asked) => askJson("block", asked)));
+      const pixels = (/** @type {any} */ stream, /** @type {any} */ { width }) => stream.block * Math.round(stream.width / width);
+      const there = block && twin && block.map((at) => Math.floor((at * pixels(this.stream, blocks)) / pixels(this.stream.twin, twin)));
+      const other = there && (await pictures.once("twin-block", { ...query, block: there.join(",") }, (asked) => askJson("twin-block", asked)));
       if (number !== this.number) return;
       this.blocks = blocks;
       this.samples = shown.samples;
-      this.draw(shown, beside, rgb, blocks, block);
-      showBlock(answer, (row, col) => this.change({ row, col }));
+      this.draw(shown, beside, rgb, blocks, block, twin, there);
+      showBlock(answer, (row, col) => this.change({ row, col }), other, [this.stream, this.stream.twin].map((one) => one?.file));
       say("into-error", "");
       if (answer && this.stream.dut) await this.showOther(number, query, answer);
     } catch (error) {
@@ -228,24 +225,27 @@ export class Into {
   /**
    * @param {import("./plane_pictures.js").Picture} shown @param {import("./plane_pictures.js").Picture | null} beside
    * @param {HTMLCanvasElement | null} rgb
-   * @param {any} blocks @param {[number, number] | null} block
+   * @param {any} own the blocks @param {[number, number] | null} block
+   * @param {any} twin the blocks beside them, or null @param {number[] | null} there its block
    */
-  draw(shown, beside, rgb, blocks, block) {
-    const overlay = overlayOf(this.place.overlay, blocks);
-    showLegend(overlay);
-    const layers = (/** @type {import("./plane_pictures.js").Picture} */ { shown: picture, samples }) => ({
+  draw(shown, beside, rgb, own, block, twin, there) {
+    const overlay = overlayOf(this.place.overlay, own);
+    const second = twin ? overlayOf(this.place.overlay, twin, overlay) : overlay;
+    showLegend(overlay, second);
+    /** @returns {import("./block_canvas.js").Layers} */
+    const layers = (/** @type {import("./plane_pictures.js").Picture} */ { shown: picture, samples }, blocks = own, pin = /** @type {number[] | null} */ (block), size = this.stream.block, { colours } = overlay) => ({
       // A plane of chroma may have half the samples of the picture.
       picture, value: samples && ((/** @type {number} */ x, /** @type {number} */ y) => String(sampleAt(samples, y * blocks.width + x) ?? "")),
       under: rgb, blend: Number(input("blend").value) / 100, blocks,
-      side: this.stream.block * (picture.width > blocks.width ? 2 : 1), colours: overlay.colours,
+      side: size * (picture.width > blocks.width ? 2 : 1), colours,
       showBlocks: this.place.blocks, showTiles: this.place.tiles, showVectors: this.place.vectors,
-      pinned: block === null ? null : block[1] * blocks.columns + block[0],
+      pinned: pin === null ? null : pin[1] * blocks.columns + pin[0],
     });
     const stage = /** @type {HTMLElement} */ (this.canvas.target.parentElement);
     stage.classList.toggle("two", beside !== null);
     this.beside.target.hidden = beside === null;
     [this.canvas.twin, this.beside.twin] = beside === null ? [null, null] : [this.beside, this.canvas];
-    if (beside !== null) this.beside.layers = layers(beside);
+    if (beside !== null) this.beside.layers = twin ? layers(beside, twin, there, this.stream.twin.block, second) : layers(beside);
     this.canvas.show(layers(shown));
     this.beside.draw();
     canvas("picture").dataset.shown = JSON.stringify(this.link());

@@ -8,6 +8,8 @@ import { control } from "./look_controls.js";
 import { PathRecorder } from "./path_recorder.js";
 import { PixelPanel } from "./pixel_panel.js";
 
+const NUMBERS = /** @type {const} */ ([["camera-u", "u"], ["camera-v", "v"], ["camera-z", "z"]]);
+
 export class Look {
   /**
    * @param {import("./server_frames.js").ServerFrames} frames
@@ -41,8 +43,7 @@ export class Look {
     const { view, stream } = this;
     input("levels").max = String(stream.tree_height + 1);
     any("levels-label").hidden = stream.tree_height === 0;
-    const numbers = /** @type {const} */ ([["camera-u", "u"], ["camera-v", "v"], ["camera-z", "z"]]);
-    for (const [id, name] of numbers) {
+    for (const [id, name] of NUMBERS) {
       input(id).addEventListener("change", () => view.change({ [name]: numberIn(id) ?? view.camera[name] }));
     }
     input("fov").addEventListener("change", () => view.change({ fov: numberIn("fov") }));
@@ -143,8 +144,7 @@ export class Look {
 
   showControls() {
     const camera = this.camera();
-    const place = /** @type {const} */ ([["camera-u", camera.u], ["camera-v", camera.v], ["camera-z", camera.z]]);
-    for (const [id, value] of place) input(id).value = String(Number(value.toFixed(4)));
+    for (const [id, name] of NUMBERS) input(id).value = String(Number(camera[name].toFixed(4)));
     input("fov").value = camera.fov === null ? "" : String(camera.fov);
     const levels = camera.levels === 0 ? this.stream.tree_height + 1 : camera.levels;
     input("levels").value = String(levels);

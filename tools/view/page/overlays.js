@@ -28,31 +28,30 @@ export function heat(part) {
 /**
  * @param {(number | null)[]} values
  * @param {string} unit
+ * @param {Overlay} first whose ramp it takes, if there is one
  * @param {(value: number) => boolean} shown
  * @returns {Overlay}
  */
-function heatMap(values, unit, shown = () => true) {
+function heatMap(values, unit, first, shown = () => true) {
   const counted = values.flatMap((value) => (value !== null && shown(value) ? [value] : []));
-  const least = counted.reduce((a, b) => Math.min(a, b), Infinity);
-  const greatest = counted.reduce((a, b) => Math.max(a, b), -Infinity);
-  const span = Math.max(1e-9, greatest - least);
-  const colours = values.map((value) => (value === null || !shown(value) ? null : heat((value - least) / span)));
-  return counted.length === 0 ? { colours, words: [] } : { colours, ramp: [least, greatest, unit] };
+  const [least, greatest] = first.ramp ?? [Math.min, Math.max].map((end) => counted.reduce((a, b) => end(a, b), counted[0]));
+  const part = (/** @type {number} */ value) => (greatest > least ? (value - least) / (greatest - least) : 1);
+  const colours = values.map((value) => (value === null || !shown(value) ? null : heat(part(value))));
+  return greatest === undefined ? { colours, words: [] } : { colours, ramp: [least, greatest, unit] };
 }
 
 /**
- * @param {any} blocks @returns {Overlay}
+ * @param {any} blocks @param {Overlay} first whose images keep their colours @returns {Overlay}
  */
-function referenceImages(blocks) {
-  /** @type {Map<string, string>} */
-  const colourOf = new Map();
+function referenceImages(blocks, first) {
+  const colourOf = new Map((first.words ?? []).map(([colour, image]) => [image, colour]));
   const colours = new Array(blocks.states.length).fill(null);
   for (const [block, row, col] of blocks.vectors) {
-    const image = `${row},${col}`;
+    const image = `image ${row},${col}`;
     if (!colourOf.has(image)) colourOf.set(image, IMAGE_COLOURS[colourOf.size % IMAGE_COLOURS.length]);
     colours[block] ??= colourOf.get(image) ?? null;
   }
-  return { colours, words: [...colourOf].map(([image, colour]) => [colour, `image ${image}`]) };
+  return { colours, words: [...colourOf].map(([image, colour]) => [colour, image]) };
 }
 
 /**
@@ -72,9 +71,10 @@ function tileGroups(blocks) {
 
 /**
  * The overlay of this name.
- * @param {string} name @param {any} blocks what the server says of the plane @returns {Overlay}
+ * @param {string} name @param {any} blocks what the server says of the plane
+ * @param {Overlay} first of the stream beside this one, whose colours mean the same @returns {Overlay}
  */
-export function overlayOf(name, blocks) {
+export function overlayOf(name, blocks, first = { colours: [] }) {
   const positive = (/** @type {number} */ value) => value > 0;
   const notKey = (/** @type {number[]} */ values) =>
     values.map((value, at) => (blocks.states[at] >= 4 ? null : value));
@@ -84,26 +84,26 @@ export function overlayOf(name, blocks) {
       const found = [...new Set(blocks.states)].sort();
       return { colours, words: found.map((state) => [STATE_COLOURS[state], STATES[state]]) };
     }
-    case "bits": return heatMap(notKey(blocks.bits), "bits");
-    case "read": return heatMap(notKey(blocks.read), "bits");
-    case "level_counts": return heatMap(blocks.level_counts, "levels", positive);
-    case "steps": return heatMap(blocks.steps, "", positive);
-    case "disparities": return heatMap(blocks.disparities ?? [], "pixels a column");
-    case "psnr": return heatMap(blocks.psnr ?? [], "dB");
-    case "references": return referenceImages(blocks);
+    case "bits": return heatMap(notKey(blocks.bits), "bits", first);
+    case "read": return heatMap(notKey(blocks.read), "bits", first);
+    case "level_counts": return heatMap(blocks.level_counts, "levels", first, positive);
+    case "steps": return heatMap(blocks.steps, "", first, positive);
+    case "disparities": return heatMap(blocks.disparities ?? [], "pixels a column", first);
+    case "psnr": return heatMap(blocks.psnr ?? [], "dB", first);
+    case "references": return referenceImages(blocks, first);
     case "groups": return tileGroups(blocks);
-    case "dut": return heatMap(blocks.worst ?? [], "the largest difference", positive);
+    case "dut": return heatMap(blocks.worst ?? [], "the largest difference", first, positive);
     default: return { colours: [] };
   }
 }
 
 /**
- * @param {Overlay} overlay
+ * @param {Overlay} overlay @param {Overlay} second the one beside it, or the same
  */
-export function showLegend(overlay) {
+export function showLegend(overlay, second) {
   const legend = any("legend");
   legend.replaceChildren();
-  for (const [colour, word] of overlay.words ?? []) {
+  for (const [word, colour] of new Map([overlay, second].flatMap(({ words }) => words ?? []).map(([colour, word]) => [word, colour]))) {
     const swatch = make("span", { class: "swatch" });
     swatch.style.background = colour;
     legend.append(swatch, make("span", {}, word));

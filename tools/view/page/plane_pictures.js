@@ -49,15 +49,16 @@ export class PlanePictures {
 
   /**
    * The picture of a stage.
-   * @param {string} stage "picture", "original", a stage of inspect, or a difference
+   * @param {string} stage "picture", "original", a stage of inspect, or a difference; "twin-..." of the stream beside it
    * @param {Query} plane with the plane @param {any} blocks what the server says of it @returns {Promise<Picture>}
    */
   async stage(stage, plane, blocks) {
     const { plane: name, ...view } = plane;
-    if (["picture", "original", "dut-picture"].includes(stage)) return { shown: await this.rgb(stage, view), samples: null };
+    if (stage.endsWith("picture") || stage === "original") return { shown: await this.rgb(stage, view), samples: null };
     if (stage.endsWith("difference")) return { shown: await this.rgb(stage, { ...view, gain: 4 }), samples: null };
-    const samples = await this.once("stage", { ...plane, stage }, askSamples);
-    const signed = name !== "Y" || stage === "residual";
+    const [twin, own] = stage.startsWith("twin-") ? ["twin-", stage.slice(5)] : ["", stage];
+    const samples = await this.once(`${twin}stage`, { ...plane, stage: own }, (asked) => askSamples(`${twin}stage`, asked));
+    const signed = name !== "Y" || own === "residual";
     return { shown: picture(stagePicture(samples, blocks.width, blocks.height, signed, this.depth)), samples };
   }
 }

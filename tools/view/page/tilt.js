@@ -16,7 +16,6 @@ export class Tilt {
     this.on = false;
     /** @type {number[] | null} how it was held */
     this.held = null;
-    addEventListener("deviceorientation", (event) => this.turned(event));
   }
 
   /** Whether it is on now; some phones ask their owner first. */
@@ -25,12 +24,13 @@ export class Tilt {
     const allowed = this.on || !request || (await request.call(DeviceOrientationEvent).catch(() => "")) === "granted";
     this.on = allowed && !this.on;
     this.held = null;
+    addEventListener("deviceorientation", this); // not before, since browsers warn of it
     if (!this.on) this.tell(0, 0);
     return this.on;
   }
 
   /** @param {DeviceOrientationEvent} event */
-  turned({ beta, gamma }) {
+  handleEvent({ beta, gamma }) {
     if (!this.on || beta === null || gamma === null) return;
     const upright = screen.orientation.angle % 180 === 0;
     const now = upright ? [gamma, beta] : [beta, gamma];
