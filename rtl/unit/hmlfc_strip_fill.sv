@@ -45,7 +45,7 @@ module hmlfc_strip_fill #(
   localparam int FIRST_BEATS = FIRST_BYTES * 8 / DATA_BITS;
   localparam int BEAT_BITS = $clog2(MAX_BEATS);
   localparam int SLOT_BITS = $clog2(SLOTS);
-  localparam int LINES_BITS = LINES * LINE_BITS;
+  localparam int LINES_BITS = $bits(lines);
   localparam int TURN_BITS = UNPACKERS == 2 ? 1 : 0;  // of a slot: whose it is
 
   // Slots: a ring of strips in flight.

@@ -1,9 +1,8 @@
 # hmlfc_rtl: the Verilated units of this build, as unit/units.hpp lists them.
 
-# BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING of decode units, view units and DMAs, which have no
-# depth and no reads. The first unit that fits a stream decodes it. The tests need a decode unit for each
-# block size, and values of OUTSTANDING that are no power of two; ./run soak adds MAX_DEPTH = 8, for which
-# the tests have the modules of the datapath.
+# BLOCK_LOG2:MAX_DEPTH:AXI_DATA_BITS:OUTSTANDING of decode units, view units and DMAs, which have no depth and
+# no reads. The first unit that fits a stream decodes it. The tests need a decode unit for each block size, and
+# values of OUTSTANDING that are no power of two; ./run soak adds MAX_DEPTH = 8, as the tests of modules have.
 set(decode_units "2:12:128:64" "1:12:64:5" "3:12:256:24")
 set(view_units "2:12:128:32")
 set(dma_units "1:12:64:5" "2:12:128:32" "3:12:256:5")
@@ -16,9 +15,8 @@ set(HMLFC_RTL_UNITS "" CACHE STRING
 if(HMLFC_RTL_UNITS)
   set(decode_units ${HMLFC_RTL_UNITS})
 endif()
-# The decode units of 64 bits are the smallest; what they keep is replaced often.
+# The decode units of 64 bits are the smallest, whose memories are replaced often; those of 256 are wide.
 set(decode_64_parameters -GTILE_CONTEXTS=2 -GCACHES=1 -GCACHE_STRIPS=64 -GBLOCK_CLOCKS=2)
-# Those of 256 bits are wide ones (docs/hardware.md).
 set(decode_256_parameters -GTILE_CONTEXTS=32)
 set(decode_3_parameters -GSTRIP_READ=64)
 
