@@ -94,7 +94,7 @@ module hmlfc_residual_parser #(
   wire [79:0] field = 80'(window[WINDOW_BITS-1:0] >> shift);
 
   logic [1:0] motion_mode, residual_mode;
-  logic held;  // the field of a mask, or with one reader of bounds, is in `held_field`
+  logic held;  // the field of a mask, or with one reader of bounds or what headers share, is in `held_field`
   logic [79:0] held_field;
   logic [63:0] in_plane, mask, motion_mask, residual_mask;
   logic [6:0] mask_bits;
@@ -134,13 +134,13 @@ module hmlfc_residual_parser #(
   logic [5:0] shared_error;
   logic [4:0] shared_bits, header_bits;
   logic headers_overrun, headers_last, headers_pending;
-  wire headers_start = state == RESIDUALS && fresh;
+  wire headers_start = state == RESIDUALS && (READERS == 2 ? fresh : held);
   wire headers_active = state == HEADERS;
-  hmlfc_tile_headers #(.BLOCK_LOG2(BLOCK_LOG2), .SKEW_BITS(SKEW_BITS)) headers (
+  hmlfc_tile_headers #(.BLOCK_LOG2(BLOCK_LOG2), .SKEW_BITS(SKEW_BITS), .LATE(2 - READERS)) headers (
       .clk, .rst_n, .count(residual_count), .depth(stream.depth), .steps(stream.features.residual_step), .skew, .bits,
-      .field(field[31:0]), .position, .start(headers_start), .shared_error, .shared_bits, .active(headers_active),
-      .header_bits, .overrun(headers_overrun), .last(headers_last), .pending(headers_pending), .entry_write,
-      .entry_number, .entry_data
+      .field(READERS == 2 ? field[31:0] : held_field[31:0]), .position, .start(headers_start), .shared_error,
+      .shared_bits, .active(headers_active), .header_bits, .overrun(headers_overrun), .last(headers_last),
+      .pending(headers_pending), .entry_write, .entry_number, .entry_data
   );
 
   assign parse_ready = state == IDLE;
@@ -242,7 +242,9 @@ module hmlfc_residual_parser #(
         state <= position <= bits && residual_mask != 0 ? RESIDUALS : FINISH;
       end
       RESIDUALS:
-      if (fresh) begin
+      if (READERS == 2 ? !fresh : !held) held <= fresh;
+      else begin
+        held <= 1'b0;
         position <= position + P'(shared_bits);
         fresh <= 1'b0;
         error <= shared_error;

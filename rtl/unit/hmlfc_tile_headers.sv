@@ -6,12 +6,13 @@
 //
 // `start` takes the fields that all headers share from `field`; they take `shared_bits`, and `shared_error` is the
 // first error in them. While `active`, `field` is to hold header after header, each `header_bits` after the previous
-// one. An entry is written 2 clocks later. `overrun`, in the first clock of `active`: the headers do not fit the
-// record, and none is listed. `last`: the last header is at hand; `pending`: one is still to be written in the next
-// clock.
+// one; with LATE a clock later, as in `start`. An entry is written 2 clocks later, 3 with LATE. `overrun`, in the first
+// clock of `active`: the headers do not fit the record, and none is listed. `last`: the last header is at hand;
+// `pending`: one is still to be written behind this clock.
 module hmlfc_tile_headers #(
     parameter int BLOCK_LOG2 = 2,
     parameter int SKEW_BITS = 7,
+    parameter int LATE = 0,  // 0, 1
     localparam int POSITION_BITS = hmlfc_pkg::POSITION_BITS,
     localparam int BIAS_BITS = 14,
     localparam int ENTRY_BITS = 6 + 6 + 4 + BIAS_BITS + POSITION_BITS
@@ -60,8 +61,10 @@ module hmlfc_tile_headers #(
     else if (5'(field[12:9]) > 5'(depth) + 5'd2) shared_error = HMLFC_ERROR_BAD_MODE;
   end
 
-  // A header is requested in this clock, at hand in the next, written in the one after.
+  // A header is requested in this clock, at hand in the next, or with LATE in the one after, written in the next.
   logic [6:0] number;
+  logic requested;
+  logic [5:0] number_requested;
   wire [P-1:0] headers_end = position + P'(count) * P'(header_bits);
   logic at_hand, error;
   logic [5:0] number_at_hand, level_code;
@@ -70,7 +73,7 @@ module hmlfc_tile_headers #(
   logic [P-1:0] values_at;
   assign overrun = number == 0 && headers_end > bits;
   assign last = number + 7'd1 == count;
-  assign pending = at_hand;
+  assign pending = at_hand || (LATE != 0 && requested);
 
   wire [5:0] level_mask = ~(6'h3F << level_bits);
   wire [2:0] step_mask = ~(3'h7 << step_bits);
@@ -109,8 +112,8 @@ module hmlfc_tile_headers #(
       number <= number + 1'b1;
       if (number == 0) values_at <= headers_end;
     end
-    at_hand <= active && !overrun;
-    number_at_hand <= number[5:0];
+    {requested, number_requested} <= {active && !overrun, number[5:0]};
+    {at_hand, number_at_hand} <= LATE != 0 ? {requested, number_requested} : {active && !overrun, number[5:0]};
     entry_write <= at_hand;
     entry_number <= number_at_hand;
     if (at_hand) begin
@@ -121,7 +124,7 @@ module hmlfc_tile_headers #(
     end
     if (entry_write) values_at <= values_end;
     if (!rst_n) begin
-      at_hand <= 1'b0;
+      {requested, at_hand} <= 2'b00;
       entry_write <= 1'b0;
     end
   end
