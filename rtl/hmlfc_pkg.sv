@@ -10,6 +10,8 @@ package hmlfc_pkg;
   localparam int BLOCK_BITS = 13;    // block columns and rows: 16384 samples in blocks of 2
   localparam int GRID_BITS = 10;     // rows and columns of images: 1024
   localparam int STRIP_BYTES = 128;  // of a strip's place in the reference area
+  localparam int STRIP_HEAD_HALVES = 5;  // of 16 bits: width and base of each quarter of 16 samples
+  localparam int STRIP_HALVES_BITS = 6;  // of a strip there are at most 61
   localparam int POSITION_BITS = 18; // bit positions in a tile record (section 11), with its skew
 
   // Widths of the structures below, for memories of them. hmlfc_widths checks them.

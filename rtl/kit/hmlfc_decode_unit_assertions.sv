@@ -72,7 +72,7 @@ bind hmlfc_decode_unit hmlfc_decode_unit_assertions #(
 // The same rules where blocks wait inside: at the ends of all queues and register slices.
 bind hmlfc_fifo axi_channel_assertions #(.NAME("fifo"), .BITS(WIDTH)) waiting (
     .clk, .rst_n, .valid(out_valid), .ready(out_ready), .payload(out_data));
-bind hmlfc_fifo hmlfc_fifo_assertions #(.DEPTH(DEPTH)) rules (
+bind hmlfc_fifo hmlfc_fifo_assertions #(.DEPTH(DEPTH), .BYPASS(BYPASS)) rules (
     .clk, .rst_n, .in_valid, .in_ready, .out_valid, .out_ready);
 bind hmlfc_skid_buffer axi_channel_assertions #(.NAME("skid_buffer"), .BITS(WIDTH)) waiting (
     .clk, .rst_n, .valid(out_valid), .ready(out_ready), .payload(out_data));

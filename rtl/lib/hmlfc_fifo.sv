@@ -5,6 +5,7 @@
 //
 // WIDTH   >= 1, bits of a word
 // DEPTH   >= 2; the storage has the next power of two
+// BYPASS  with 0 a word that finds the queue empty is offered a clock later, and there is no selection at the output
 //
 // A word passes when valid and ready are both high; valid does not wait for ready. A word put in is
 // offered on the next clock. in_ready is low with DEPTH words inside, also while one is taken.
@@ -12,10 +13,11 @@
 // rst_n   active low, taken synchronously: empties the queue
 //
 // The storage is read a clock ahead, from the place that will be in front; a word that is put there in the same clock
-// is kept beside.
+// is kept beside, or read in the next.
 module hmlfc_fifo #(
     parameter int WIDTH = 8,
-    parameter int DEPTH = 4
+    parameter int DEPTH = 4,
+    parameter bit BYPASS = 1
 ) (
     input logic clk,
     input logic rst_n,
@@ -32,13 +34,15 @@ module hmlfc_fifo #(
   localparam WHOLE = DEPTH == 1 << INDEX_BITS;  // the last bit of the count says whether there is room
 
   logic [WIDTH-1:0]    stored, latest;
-  logic [INDEX_BITS:0] written, taken, taken_next;  // words so far, modulo twice the storage
-  logic                put, take, is_latest;        // the front word is `latest`, else `stored`
+  logic [INDEX_BITS:0] written, offered, taken, taken_next;  // words so far, modulo twice the storage
+  logic [INDEX_BITS:0] written_before;                       // a clock ago
+  logic                put, take, is_latest;                 // the front word is `latest`, else `stored`
 
   assign count = written - taken;
   assign in_ready = WHOLE ? !count[INDEX_BITS] : count != (INDEX_BITS + 1)'(DEPTH);
-  assign out_valid = written != taken;
-  assign out_data = is_latest ? latest : stored;
+  assign offered = BYPASS ? written : written_before;
+  assign out_valid = offered != taken;
+  assign out_data = BYPASS && is_latest ? latest : stored;
   assign put = in_valid && in_ready;
   assign take = out_valid && out_ready;
   assign taken_next = taken + {{INDEX_BITS{1'b0}}, take};
@@ -61,9 +65,11 @@ module hmlfc_fifo #(
     is_latest <= put && written == taken_next;
     if (!rst_n) begin
       written <= {(INDEX_BITS + 1) {1'b0}};
+      written_before <= {(INDEX_BITS + 1) {1'b0}};
       taken <= {(INDEX_BITS + 1) {1'b0}};
     end else begin
       if (put) written <= written + ONE;
+      written_before <= written;
       taken <= taken_next;
     end
   end

@@ -76,7 +76,7 @@ module hmlfc_reference_cache #(
   logic op_valid, op_ready;
   logic [READ_BITS-1:0] op;
   logic [2:0] op_missed;
-  hmlfc_fifo #(.WIDTH(READ_BITS + 3), .DEPTH(256)) waiting (
+  hmlfc_fifo #(.WIDTH(READ_BITS + 3), .DEPTH(256), .BYPASS(CLOCKS == 1)) waiting (
       .clk, .rst_n, .in_valid(found_valid), .in_ready(found_ready),
       .in_data({
         found_x, found_y, found_two_x, found_two_y, found_select_x, found_select_y, found_places, found_missed

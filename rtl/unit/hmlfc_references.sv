@@ -94,7 +94,7 @@ module hmlfc_references #(
     );
   end
 
-  hmlfc_fifo #(.WIDTH(PENDING_BITS + RESIDUAL_BITS), .DEPTH(256)) before_compose (
+  hmlfc_fifo #(.WIDTH(PENDING_BITS + RESIDUAL_BITS), .DEPTH(256), .BYPASS(CLOCKS == 1)) before_compose (
       .clk, .rst_n, .in_valid(pending_valid), .in_ready(pending_ready), .in_data({pending, pending_residual}),
       .out_valid, .out_ready, .out_data({out_pending, out_residual}), .count()
   );

@@ -62,12 +62,15 @@ module hmlfc_residual_blocks #(
 
   localparam int STAGES = 8 + 4 / CLOCKS;
   localparam int CLOCK_BITS = $clog2(CLOCKS) > 0 ? $clog2(CLOCKS) : 1;
-  localparam int PART_BITS = SAMPLES * VALUE_BITS / CLOCKS;
   localparam int BITS = SAMPLES * VALUE_BITS;  // of a block's values, at most
+  localparam int PART_BITS = BITS / CLOCKS;
 
-  function automatic logic [5:0] rank(input logic [63:0] mask, input logic [5:0] number);
+  // The 1 bits of `mask`, whose bits are of the blocks from `first` on, before block `number`.
+  localparam int MASK_BITS = 64 / CLOCKS;
+  function automatic logic [5:0] rank(
+      input logic [MASK_BITS-1:0] mask, input logic [5:0] first, input logic [5:0] number);
     rank = '0;
-    for (int i = 0; i < 64; i++) rank = rank + 6'(mask[i] && 6'(i) < number);
+    for (int i = 0; i < MASK_BITS; i++) rank = rank + 6'(mask[i] && (first | 6'(i)) < number);
   endfunction
 
   // The flow of blocks: stage i holds what it knows after i clocks.
@@ -93,7 +96,13 @@ module hmlfc_residual_blocks #(
       .read(advance), .read_address(in_context), .read_data({head_error_1, motion_mask_1, residual_mask_1})
   );
 
-  // Stage 2: masks to ranks; stage 3: entry and vector.
+  // Stage 2: masks to ranks, one part a clock; stage 3: entry and vector.
+  wire [5:0] first = CLOCKS == 1 ? 6'd0 : 6'(part) << $clog2(MASK_BITS);
+  logic [5:0] motion_before, residual_before;
+  wire [5:0] motion_rank = (first == 0 ? 6'd0 : motion_before) +
+      rank(MASK_BITS'(motion_mask_1 >> first), first, number_1);
+  wire [5:0] residual_rank = (first == 0 ? 6'd0 : residual_before) +
+      rank(MASK_BITS'(residual_mask_1 >> first), first, number_1);
   hmlfc_pkg::flow_t flow_2, flow_3, next_2, next_4;
   logic has_motion_2;
   logic [5:0] vector_2, entry_2;
@@ -118,7 +127,7 @@ module hmlfc_residual_blocks #(
     if (flow_1.residual_asked && flow_1.job.error == 0) next_2.job.error = head_error_1;
   end
 
-  // Stage 4: the record memory is read.
+  // Stage 4: the record memory is read, the first part of the block's bits with `advance`.
   wire [5:0] entry_error = entry_3[ENTRY_BITS-1-:6];
   wire [5:0] entry_code = entry_3[ENTRY_BITS-7-:6];
   wire [3:0] entry_step = entry_3[ENTRY_BITS-13-:4];
@@ -138,17 +147,24 @@ module hmlfc_residual_blocks #(
       else if (has_residual[3]) next_4.job.error = entry_error;
     end
   end
-  assign read_enable = advance;
-  assign read_word = {context_3, (WORD_BITS - CONTEXT_BITS)'(entry_position >> 6)};
-  assign release_valid = advance && valid[3] && flow_3.residual_asked;
-  assign release_context = context_3;
+  logic [POSITION_BITS-1:0] next_position;
+  wire [POSITION_BITS-1:0] read_position = last ? entry_position : next_position;
+  logic [CONTEXT_BITS-1:0] context_4;
+  wire [CONTEXT_BITS-1:0] read_context = last ? context_3 : context_4;
+  assign read_enable = step;
+  assign read_word = {read_context, (WORD_BITS - CONTEXT_BITS)'(read_position >> 6)};
+  // The tile is given back with the last read.
+  logic asked_4;
+  assign release_valid = advance && (CLOCKS == 1 ? valid[3] && flow_3.residual_asked : valid[4] && asked_4);
+  assign release_context = CLOCKS == 1 ? context_3 : context_4;
 
   // From stage 4 on: bits, values, residuals.
   logic [5:0] shift_4, code_4, code_5, code_6, code_7, code_8;
   logic [3:0] step_4, step_5, step_6, step_7, step_8;
   logic [13:0] bias_4, bias_5, bias_6, bias_7, bias_8;
-  logic [BITS-1:0] bits_5;
-  logic [SAMPLES*VALUE_BITS-1:0] values_8, gathered;
+  wire [PART_BITS-1:0] bits_part = PART_BITS'(window >> shift_4);
+  logic [BITS-1:0] bits_4, bits_5;
+  logic [BITS-1:0] values_8, gathered;
   logic [PART_BITS-1:0] value_part, residual_part;
   hmlfc_pkg::flow_t flow_8;
   assign flow_8 = flows[7*FLOW_BITS+:FLOW_BITS];
@@ -178,15 +194,15 @@ module hmlfc_residual_blocks #(
       number_1 <= {j[2:1], i[2:1], j[0], i[0]};
 
       has_motion_2 <= flow_1.residual_asked && motion_mask_1[number_1] && head_error_1 == 0;
-      vector_2 <= rank(motion_mask_1, number_1);
-      entry_2 <= rank(residual_mask_1, number_1);
+      vector_2 <= motion_rank;
+      entry_2 <= residual_rank;
 
       has_motion_3 <= has_motion_2;
 
-      shift_4 <= entry_position[5:0];
       {code_4, step_4, bias_4} <= {entry_code, entry_step, entry_bias};
       {code_5, step_5, bias_5} <= {code_4, step_4, bias_4};
-      bits_5 <= BITS'(window >> shift_4);
+      asked_4 <= flow_3.residual_asked;
+      bits_5 <= bits_4;
       {code_6, step_6, bias_6} <= {code_5, step_5, bias_5};
       {code_7, step_7, bias_7} <= {code_6, step_6, bias_6};
       {code_8, step_8, bias_8} <= {code_7, step_7, bias_7};
@@ -195,17 +211,30 @@ module hmlfc_residual_blocks #(
         has_residual[STAGES-1:2], flow_1.residual_asked && residual_mask_1[number_1] && head_error_1 == 0
       };
     end
+    if (step) begin
+      {motion_before, residual_before} <= {motion_rank, residual_rank};
+      shift_4 <= read_position[5:0];
+      next_position <= read_position + POSITION_BITS'(PART_BITS);
+      context_4 <= read_context;
+    end
     if (!rst_n || advance) part <= '0;
     else if (!last) part <= part + 1'b1;
     if (!rst_n) valid <= '0;
   end
 
   if (CLOCKS == 1) begin : g_block
+    assign bits_4 = bits_part;
     assign gathered = residual_part;
   end else begin : g_parts
-    logic [(CLOCKS-1)*PART_BITS-1:0] earlier;
+    logic [(CLOCKS-1)*PART_BITS-1:0] earlier_bits, earlier;
+    assign bits_4 = {bits_part, earlier_bits};
     assign gathered = {residual_part, earlier};
-    always_ff @(posedge clk) if (step) earlier <= gathered[SAMPLES*VALUE_BITS-1:PART_BITS];
+    always_ff @(posedge clk) begin
+      if (step) begin
+        earlier_bits <= bits_4[BITS-1:PART_BITS];
+        earlier <= gathered[BITS-1:PART_BITS];
+      end
+    end
   end
 
   assign out_valid = valid[STAGES] && last;

@@ -103,13 +103,14 @@ module hmlfc_residual_parser #(
       .columns, .rows, .mode(mask_mode), .field(held_field), .in_plane, .mask, .bits(mask_bits)
   );
   logic [6:0] motion_count, residual_count;
+  wire [6:0] ones = 7'($countones(state == CHECK ? residual_mask : motion_mask));
 
   logic [5:0] bounds_error, next_codes_x, next_codes_y, codes_x, codes_y;
   logic [1:0] next_sign_mode, sign_mode;
   logic signed [8:0] next_min_x, next_min_y, min_x, min_y;
   logic [P-1:0] bounds_end;
   hmlfc_vector_bounds bounds (
-      .clk, .search_window(stream.window), .field(READERS == 2 ? field[31:0] : held_field[31:0]), .position, .bits,
+      .clk, .rst_n, .search_window(stream.window), .field(READERS == 2 ? field[28:0] : held_field[28:0]), .position, .bits,
       .error(bounds_error),
       .sign_mode(next_sign_mode), .min_x(next_min_x), .min_y(next_min_y), .codes_x(next_codes_x),
       .codes_y(next_codes_y), .next(bounds_end)
@@ -196,13 +197,13 @@ module hmlfc_residual_parser #(
         held <= 1'b0;
         if (state == MOTION_MASK) motion_mask <= mask;
         else residual_mask <= mask;
+        motion_count <= ones;
         position <= position + P'(mask_bits);
         fresh <= !mask_mode[1];
         state <= state == MOTION_MASK ? RESIDUAL_MASK : CHECK;
       end
       CHECK: begin
-        motion_count <= 7'($countones(motion_mask));
-        residual_count <= 7'($countones(residual_mask));
+        residual_count <= ones;
         if (position > bits) error <= HMLFC_ERROR_TILE_OVERRUN;
         else if (((motion_mask | residual_mask) & ~in_plane) != 0) error <= HMLFC_ERROR_MASK_OUTSIDE;
         if (position > bits || ((motion_mask | residual_mask) & ~in_plane) != 0) state <= FINISH;

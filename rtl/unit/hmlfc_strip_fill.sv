@@ -38,9 +38,9 @@ module hmlfc_strip_fill #(
     input logic [DATA_BITS-1:0] data
 );
 
-  localparam int HEAD_HALVES = 5;  // of 16 bits: width and base of each quarter of 16 samples
+  localparam int HEAD_HALVES = hmlfc_pkg::STRIP_HEAD_HALVES;
   localparam int BEAT_HALVES = DATA_BITS / 16;
-  localparam int HALVES_BITS = 6;  // of a strip there are at most 61
+  localparam int HALVES_BITS = hmlfc_pkg::STRIP_HALVES_BITS;
   localparam int MAX_BEATS = hmlfc_pkg::STRIP_BYTES * 8 / DATA_BITS;
   localparam int FIRST_BEATS = FIRST_BYTES * 8 / DATA_BITS;
   localparam int BEAT_BITS = $clog2(MAX_BEATS);

@@ -43,9 +43,9 @@ module hmlfc_strip_unpack #(
 
   localparam int RAW = 15;  // the width that stands for samples of 14 bits of which some are errors
   localparam int RAW_BITS = 14;
-  localparam int HEAD_HALVES = 5;  // of 16 bits: width and base of each quarter of 16 samples
+  localparam int HEAD_HALVES = hmlfc_pkg::STRIP_HEAD_HALVES;
   localparam int BEAT_HALVES = DATA_BITS / 16;
-  localparam int HALVES_BITS = 6;  // of a strip there are at most 61
+  localparam int HALVES_BITS = hmlfc_pkg::STRIP_HALVES_BITS;
   localparam int READY_BITS = 3;  // of the number of strips that wait unpacked
 
   logic [SLOT_BITS:0] asked, begun, taken;  // count strips; the low bits are the slot

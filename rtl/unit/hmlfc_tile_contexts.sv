@@ -53,6 +53,9 @@ module hmlfc_tile_contexts #(
   logic counts;
   logic [CONTEXT_BITS-1:0] counted;
 
+  logic [CONTEXTS-1:0] taken, released;  // a block gets its context, or gives it back
+  assign taken = CONTEXTS'(counts) << counted;
+  assign released = CONTEXTS'(release_valid) << release_context;
   logic hit, found, crowded;
   logic [CONTEXT_BITS-1:0] hit_context, free_context;
   always_comb begin
@@ -62,7 +65,7 @@ module hmlfc_tile_contexts #(
     found = 1'b0;
     free_context = '0;
     for (int i = 0; i < CONTEXTS; i++) begin
-      free[i] = users[i*USER_BITS+:USER_BITS] == 0 && !(counts && counted == CONTEXT_BITS'(i));
+      free[i] = users[i*USER_BITS+:USER_BITS] == 0 && !taken[i];
       if (kept[i] && tiles[i*TILE_BITS+:TILE_BITS] == tile) begin
         hit = 1'b1;
         hit_context = CONTEXT_BITS'(i);
@@ -101,12 +104,8 @@ module hmlfc_tile_contexts #(
     counts <= ask && granted;
     counted <= context_number;
     for (int i = 0; i < CONTEXTS; i++) begin
-      if (counts && counted == CONTEXT_BITS'(i)) begin
-        if (!(release_valid && release_context == CONTEXT_BITS'(i))) begin
-          users[i*USER_BITS+:USER_BITS] <= users[i*USER_BITS+:USER_BITS] + 1'b1;
-        end
-      end else if (release_valid && release_context == CONTEXT_BITS'(i)) begin
-        users[i*USER_BITS+:USER_BITS] <= users[i*USER_BITS+:USER_BITS] - 1'b1;
+      if (taken[i] != released[i]) begin
+        users[i*USER_BITS+:USER_BITS] <= users[i*USER_BITS+:USER_BITS] + (released[i] ? {USER_BITS{1'b1}} : USER_BITS'(1));
       end
       if (load && free_context == CONTEXT_BITS'(i)) tiles[i*TILE_BITS+:TILE_BITS] <= tile;
     end

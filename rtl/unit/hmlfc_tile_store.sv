@@ -63,12 +63,15 @@ module hmlfc_tile_store #(
     input logic [PARSE_BITS-1:0] parse
 );
 
-  localparam int PARSER_READS = RESIDUALS && CLOCKS == 1 ? 2 : 1;  // read ports of the parser; the next is the blocks'
-  localparam int READS = PARSER_READS + 1;
+  localparam int PARSER_READS = RESIDUALS && CLOCKS == 1 ? 2 : 1;  // read ports of the parser
   localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
-  localparam int RESIDUAL_BANKS = (SAMPLES * VALUE_BITS + 63 + 63) / 64;
-  localparam int BANKS = !RESIDUALS ? (DATA_BITS > 128 ? 4 : 2) : RESIDUAL_BANKS <= 4 ? 4 : 1 << $clog2(RESIDUAL_BANKS);
+  // Words of a read: a beat's at least, and what a block takes at once, wherever it begins.
+  localparam int BEAT_BANKS = DATA_BITS > 128 ? 4 : 2;
+  localparam int PART_BANKS = 1 << $clog2((SAMPLES * VALUE_BITS / CLOCKS + 63 + 63) / 64);
+  localparam int BANKS = RESIDUALS && PART_BANKS > BEAT_BANKS ? PART_BANKS : BEAT_BANKS;
+  localparam int PARSER_BANKS = RESIDUALS ? 4 : BEAT_BANKS;
   localparam int WINDOW_BITS = BANKS * 64;
+  localparam int PARSER_BITS = PARSER_BANKS * 64;
   localparam int ENTRY_BITS = 6 + 6 + 4 + 14 + POSITION_BITS;
 
   logic parse_empty, loaded_valid, loaded_keep, release_valid;
@@ -94,13 +97,19 @@ module hmlfc_tile_store #(
 
   logic [PARSER_READS-1:0] parser_enable;
   logic [PARSER_READS*WORD_BITS-1:0] parser_word;
-  logic [PARSER_READS*WINDOW_BITS-1:0] parser_window;
+  logic [PARSER_READS*PARSER_BITS-1:0] parser_window;
   logic blocks_enable;
   logic [WORD_BITS-1:0] blocks_word;
   logic [WINDOW_BITS-1:0] blocks_window;
-  hmlfc_record_ram #(.DATA_BITS(DATA_BITS), .BANKS(BANKS), .WORDS(CONTEXTS * CONTEXT_WORDS), .READS(READS)) records (
-      .clk, .write, .write_beat, .write_data(data), .read_enable({blocks_enable, parser_enable}),
-      .read_word({blocks_word, parser_word}), .window({blocks_window, parser_window})
+  hmlfc_record_ram #(
+      .DATA_BITS(DATA_BITS), .BANKS(PARSER_BANKS), .WORDS(CONTEXTS * CONTEXT_WORDS), .READS(PARSER_READS)
+  ) parser_records (
+      .clk, .write, .write_beat, .write_data(data), .read_enable(parser_enable), .read_word(parser_word),
+      .window(parser_window)
+  );
+  hmlfc_record_ram #(.DATA_BITS(DATA_BITS), .BANKS(BANKS), .WORDS(CONTEXTS * CONTEXT_WORDS), .READS(1)) blocks_records (
+      .clk, .write, .write_beat, .write_data(data), .read_enable(blocks_enable), .read_word(blocks_word),
+      .window(blocks_window)
   );
 
   if (RESIDUALS) begin : g_residuals
@@ -110,7 +119,7 @@ module hmlfc_tile_store #(
     logic [17:0] vector_data;
     logic [ENTRY_BITS-1:0] entry_data;
     hmlfc_residual_parser #(
-        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS),
+        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(PARSER_BITS),
         .SKEW_BITS(SKEW_BITS), .READERS(PARSER_READS)
     ) parser (
         .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
@@ -146,7 +155,7 @@ module hmlfc_tile_store #(
     logic [2:0] palette_number;
     hmlfc_pkg::motion_t palette_entry;
     hmlfc_motion_parser #(
-        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS),
+        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(PARSER_BITS),
         .SKEW_BITS(SKEW_BITS)
     ) parser (
         .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
@@ -173,7 +182,7 @@ module hmlfc_tile_store #(
     logic [13:0] head_total;
     logic [POSITION_BITS-1:0] head_position;
     hmlfc_disparity_parser #(
-        .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS), .SKEW_BITS(SKEW_BITS)
+        .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(PARSER_BITS), .SKEW_BITS(SKEW_BITS)
     ) parser (
         .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
         .parse_skew, .parse_bits, .read_enable(parser_enable), .read_word(parser_word), .window(parser_window),

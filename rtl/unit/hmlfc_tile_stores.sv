@@ -87,7 +87,7 @@ module hmlfc_tile_stores #(
       .residual_info, .residual_granted, .residual_context, .motion_ask, .motion_tile, .motion_info, .motion_granted,
       .motion_context, .out_valid(ask_valid), .out_ready(ask_ready), .out_flow(ask_flow)
   );
-  hmlfc_fifo #(.WIDTH(FLOW_BITS), .DEPTH(128)) before_motion (
+  hmlfc_fifo #(.WIDTH(FLOW_BITS), .DEPTH(128), .BYPASS(BLOCK_CLOCKS == 1)) before_motion (
       .clk, .rst_n, .in_valid(ask_valid), .in_ready(ask_ready), .in_data(ask_flow), .out_valid(motion_in_valid),
       .out_ready(motion_in_ready), .out_data(motion_in_flow), .count()
   );
@@ -114,7 +114,7 @@ module hmlfc_tile_stores #(
       .granted(disparity_granted), .granted_context(disparity_context), .out_valid(shared_valid),
       .out_ready(shared_ready), .out_flow(shared_flow), .out_x(shared_x), .out_y(shared_y)
   );
-  hmlfc_fifo #(.WIDTH(FLOW_BITS + 10), .DEPTH(64)) before_disparity (
+  hmlfc_fifo #(.WIDTH(FLOW_BITS + 10), .DEPTH(64), .BYPASS(BLOCK_CLOCKS == 1)) before_disparity (
       .clk, .rst_n, .in_valid(shared_valid), .in_ready(shared_ready), .in_data({shared_flow, shared_x, shared_y}),
       .out_valid(disparity_in_valid), .out_ready(disparity_in_ready),
       .out_data({disparity_in_flow, disparity_x, disparity_y}), .count()
