@@ -22,7 +22,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using io::FileDescriptor;
 
-constexpr size_t kOutputBytes = size_t{16} << 20;
 constexpr size_t kMessageBytes = 8192;
 constexpr DWORD kOften = 5;  // milliseconds from one look at the pipes to the next
 
@@ -129,10 +128,6 @@ void Process::Tail::read() {
   }
 }
 
-void Process::Tail::cut() {
-  if (text.size() > keep) text.erase(0, text.size() - keep);
-}
-
 Process::Process(const std::vector<std::string>& command, uint64_t memory_bytes,
                  size_t output_bytes)
     : program_(command.front()),
@@ -148,10 +143,6 @@ Process::Process(const std::vector<std::string>& command, uint64_t memory_bytes,
   reaper_ = start(command, memory_bytes, input, output, messages);
 }
 
-Process::~Process() {
-  if (reaper_ > 0) end(false);
-}
-
 Process::Stop Process::exchange(std::string_view text, Time deadline, const Suffices& suffices) {
   if (reaper_ < 0) return Stop::kEnded;
   const HANDLE process = child_of(reaper_).process;
@@ -164,12 +155,6 @@ Process::Stop Process::exchange(std::string_view text, Time deadline, const Suff
     if (ended) return Stop::kEnded;
     if (Clock::now() >= deadline) return Stop::kTimeout;
   }
-}
-
-std::string Process::take_messages() {
-  messages_.read();
-  messages_.cut();
-  return std::exchange(messages_.text, {});
 }
 
 ProcessOutcome Process::end(bool timed_out) {
@@ -198,16 +183,6 @@ ProcessOutcome Process::end(bool timed_out) {
   return outcome;
 }
 
-ProcessOutcome run_process(const std::vector<std::string>& command, const ProcessLimits& limits) {
-  Process process(command, limits.memory_bytes, kOutputBytes);
-  process.close_input();
-  const auto allowed =
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.seconds));
-  const auto stop =
-      process.exchange({}, Clock::now() + allowed, [](const std::string&) { return false; });
-  return process.end(stop == Process::Stop::kTimeout);
-}
-
 std::string to_string(const ProcessOutcome& outcome) {
   switch (outcome.end) {
     case ProcessEnd::kExit:
@@ -220,14 +195,6 @@ std::string to_string(const ProcessOutcome& outcome) {
       return fmt::format("{} cannot be started", outcome.program);
   }
   return {};
-}
-
-std::string last_words(std::string_view messages) {
-  const size_t end = messages.find_last_not_of(" \r\n");
-  if (end == std::string_view::npos) return {};
-  const size_t line_break = messages.find_last_of('\n', end);
-  const size_t begin = line_break == std::string_view::npos ? 0 : line_break + 1;
-  return ": " + std::string(messages.substr(begin, end + 1 - begin));
 }
 
 }  // namespace hmlfc::conform

@@ -110,13 +110,7 @@ module hmlfc_geometry #(
   hmlfc_plane_size #(
       .BLOCK_LOG2(BLOCK_LOG2)
   ) plane_size (
-      .clk,
-      .width(plane_width),
-      .height(plane_height),
-      .motion_tile_log2,
-      .plane,
-      .tiles_y,
-      .motion_plane,
+      .clk, .width(plane_width), .height(plane_height), .motion_tile_log2, .plane, .tiles_y, .motion_plane,
       .motion_tiles_y
   );
 
@@ -177,14 +171,8 @@ module hmlfc_geometry #(
   hmlfc_divide #(
       .WIDTH(11)
   ) divide (
-      .clk,
-      .rst_n,
-      .start(divides && operands && divider_idle),
-      .dividend(dividend - 11'd1),
-      .divisor(11'(divisor)),
-      .idle(divider_idle),
-      .done(divided),
-      .quotient
+      .clk, .rst_n, .start(divides && operands && divider_idle), .dividend(dividend - 11'd1), .divisor(11'(divisor)),
+      .idle(divider_idle), .done(divided), .quotient
   );
   wire [10:0] ceiling = quotient + 11'd1;  // of the division, whose dividend is at least 1
 
@@ -239,19 +227,10 @@ module hmlfc_geometry #(
     endcase
   end
   hmlfc_multiply_add #(
-      .A_BITS(34),
-      .B_BITS(22),
-      .SUM_BITS(44)
+      .A_BITS(34), .B_BITS(22), .SUM_BITS(44)
   ) multiply_add (
-      .clk,
-      .rst_n,
-      .start(multiplies && operands && multiplier_idle),
-      .a,
-      .b,
-      .c,
-      .idle(multiplier_idle),
-      .done(multiplied),
-      .sum
+      .clk, .rst_n, .start(multiplies && operands && multiplier_idle), .a, .b, .c, .idle(multiplier_idle),
+      .done(multiplied), .sum
   );
 
   wire [35:0] root_bytes = {sum[43:12], 4'd0};  // 16 for each 4096 tiles or part of them

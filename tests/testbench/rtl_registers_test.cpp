@@ -12,6 +12,19 @@ namespace {
 
 constexpr uint32_t kSpace = 0x1000;
 
+// Calls test(bench, image) with each unit at the bench, and a stream for it.
+template <typename Test>
+void for_each_unit(const Test& test) {
+  Bench& bench = test_bench();
+  for (const UnitMaker& maker : rtl_units()) {
+    const auto bytes = suite_stream(0, maker.parameters.block_size());
+    StreamImage image(bytes, maker.parameters);
+    bench.attach(maker.make(maker.parameters, nullptr));
+    test(bench, image);
+    EXPECT_FALSE(bench.findings().first());
+  }
+}
+
 bool is_register(uint32_t offset) {
   const bool gap = offset == 0x28 || offset == 0x2c || offset == 0x34;
   return offset <= 0x64 && !gap;
@@ -45,12 +58,7 @@ void expect_other_words_are_zero(Bench& bench) {
 }
 
 TEST(Registers, OtherWordsReadZeroAndIgnoreWrites) {
-  Bench& bench = test_bench();
-  for (const UnitMaker& maker : rtl_units()) {
-    bench.attach(maker.make(maker.parameters, nullptr));
-    expect_other_words_are_zero(bench);
-    EXPECT_FALSE(bench.findings().first());
-  }
+  for_each_unit([](Bench& bench, StreamImage&) { expect_other_words_are_zero(bench); });
 }
 
 // The high word that goes with a low word is read after it, whatever happens between.
@@ -80,11 +88,7 @@ uint32_t status_after_load(Bench& bench) {
 
 // DISABLE in any state of LOAD: the unit is not ready when it has ended, and is after another one.
 TEST(Registers, DisableDuringLoadHolds) {
-  Bench& bench = test_bench();
-  for (const UnitMaker& maker : rtl_units()) {
-    const auto bytes = suite_stream(0, maker.parameters.block_size());
-    StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters, nullptr));
+  for_each_unit([](Bench& bench, StreamImage& image) {
     image.load_into(bench);
     ASSERT_EQ(bench.read(HMLFC_REG_STATUS),
               HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_IDLE_MASK);
@@ -101,17 +105,12 @@ TEST(Registers, DisableDuringLoadHolds) {
           << "LOAD has the last word";
     }
     EXPECT_GE(during_load, 10u);
-    EXPECT_FALSE(bench.findings().first());
-  }
+  });
 }
 
 // Addresses have 40 bits: the upper ones of a base read 0, and those below are all used.
 TEST(Registers, BasesHaveFortyBits) {
-  Bench& bench = test_bench();
-  for (const UnitMaker& maker : rtl_units()) {
-    const auto bytes = suite_stream(0, maker.parameters.block_size());
-    StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters, nullptr));
+  for_each_unit([](Bench& bench, StreamImage& image) {
     for (uint32_t word = 0; word < 6; ++word) {
       bench.write(HMLFC_REG_STREAM_BASE + 4 * word, ~uint32_t{0});
     }
@@ -124,16 +123,13 @@ TEST(Registers, BasesHaveFortyBits) {
     EXPECT_EQ(bench.load(), HMLFC_REG_STATUS_READY_MASK | HMLFC_REG_STATUS_IDLE_MASK);
     bench.run(mixed_requests(image.golden()->geometry(), image.golden()->header(), 40, 1, 0),
               image.oracle(), {}, 1);
-    EXPECT_FALSE(bench.findings().first());
-  }
+  });
 }
 
 // An idle unit needs no clock, one that is spoken to does; after every other reset the bench gives
 // it each edge.
 TEST(Registers, ClockStopsWhileIdle) {
-  Bench& bench = test_bench();
-  for (const UnitMaker& maker : rtl_units()) {
-    bench.attach(maker.make(maker.parameters, nullptr));
+  for_each_unit([](Bench& bench, StreamImage&) {
     const auto stopped_in = [&](uint64_t clocks) {
       const uint64_t before = bench.unit().stopped_clocks();
       bench.run_clocks(clocks);
@@ -148,18 +144,13 @@ TEST(Registers, ClockStopsWhileIdle) {
     EXPECT_EQ(stopped_in(1000), 0u);
     bench.reset();
     EXPECT_GE(stopped_in(1000), 999u);
-    EXPECT_FALSE(bench.findings().first());
-  }
+  });
 }
 
 // A reset of the unit alone with reads in flight: the late beats show in STATUS until a reset with
 // the memory.
 TEST(Registers, LateBeatsAfterResetAreReported) {
-  Bench& bench = test_bench();
-  for (const UnitMaker& maker : rtl_units()) {
-    const auto bytes = suite_stream(0, maker.parameters.block_size());
-    StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters, nullptr));
+  for_each_unit([](Bench& bench, StreamImage& image) {
     image.load_into(bench);
     bench.memory().start({.latency = 60}, 1);
     bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_LOAD_MASK);
@@ -176,17 +167,12 @@ TEST(Registers, LateBeatsAfterResetAreReported) {
     EXPECT_EQ(bench.read(HMLFC_REG_STATUS), HMLFC_REG_STATUS_IDLE_MASK);
     bench.memory().start({}, 1);
     image.load_into(bench);
-    EXPECT_FALSE(bench.findings().first());
-  }
+  });
 }
 
 // After DISABLE, idle says that no beat is to come: a reset of the unit alone does no harm.
 TEST(Registers, IdleUnitMayBeResetAlone) {
-  Bench& bench = test_bench();
-  for (const UnitMaker& maker : rtl_units()) {
-    const auto bytes = suite_stream(0, maker.parameters.block_size());
-    StreamImage image(bytes, maker.parameters);
-    bench.attach(maker.make(maker.parameters, nullptr));
+  for_each_unit([](Bench& bench, StreamImage& image) {
     const auto requests = [&](uint64_t count, uint64_t seed) {
       return mixed_requests(image.golden()->geometry(), image.golden()->header(), count, seed, 50);
     };
@@ -207,7 +193,7 @@ TEST(Registers, IdleUnitMayBeResetAlone) {
       ASSERT_FALSE(bench.findings().first());
     }
     bench.memory().keep_bursts_in_reset(false);
-  }
+  });
 }
 
 }  // namespace

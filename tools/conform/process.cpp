@@ -29,7 +29,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using io::FileDescriptor;
 
-constexpr size_t kOutputBytes = size_t{16} << 20;
 constexpr size_t kMessageBytes = 8192;
 constexpr int kReaperRounds = 100;   // of 0.1 s: a reaper takes half of them at most
 constexpr int kBuffersAtATime = 16;  // so that no program keeps the reader from its deadline
@@ -75,10 +74,6 @@ void Process::Tail::read() {
   }
 }
 
-void Process::Tail::cut() {
-  if (text.size() > keep) text.erase(0, text.size() - keep);
-}
-
 Process::Process(const std::vector<std::string>& command, uint64_t memory_bytes,
                  size_t output_bytes)
     : program_(command.front()),
@@ -111,10 +106,6 @@ Process::Process(const std::vector<std::string>& command, uint64_t memory_bytes,
   handle_ = FileDescriptor(::pidfd_open(reaper_, 0));
 }
 
-Process::~Process() {
-  if (reaper_ > 0) end(false);
-}
-
 Process::Stop Process::exchange(std::string_view text, Time deadline, const Suffices& suffices) {
   const auto entry = [](const Tail& tail) {
     return pollfd{tail.open ? tail.pipe.get() : -1, POLLIN, 0};
@@ -133,12 +124,6 @@ Process::Stop Process::exchange(std::string_view text, Time deadline, const Suff
     }
     if (Clock::now() >= deadline) return Stop::kTimeout;
   }
-}
-
-std::string Process::take_messages() {
-  messages_.read();
-  messages_.cut();
-  return std::exchange(messages_.text, {});
 }
 
 void Process::wait_for_reaper() {
@@ -181,16 +166,6 @@ ProcessOutcome Process::end(bool timed_out) {
   return outcome;
 }
 
-ProcessOutcome run_process(const std::vector<std::string>& command, const ProcessLimits& limits) {
-  Process process(command, limits.memory_bytes, kOutputBytes);
-  process.close_input();
-  const auto allowed =
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.seconds));
-  const auto stop =
-      process.exchange({}, Clock::now() + allowed, [](const std::string&) { return false; });
-  return process.end(stop == Process::Stop::kTimeout);
-}
-
 std::string to_string(const ProcessOutcome& outcome) {
   switch (outcome.end) {
     case ProcessEnd::kExit:
@@ -204,14 +179,6 @@ std::string to_string(const ProcessOutcome& outcome) {
                          std::generic_category().message(outcome.value));
   }
   return {};
-}
-
-std::string last_words(std::string_view messages) {
-  const size_t end = messages.find_last_not_of(" \r\n");
-  if (end == std::string_view::npos) return {};
-  const size_t line_break = messages.find_last_of('\n', end);
-  const size_t begin = line_break == std::string_view::npos ? 0 : line_break + 1;
-  return ": " + std::string(messages.substr(begin, end + 1 - begin));
 }
 
 }  // namespace hmlfc::conform
