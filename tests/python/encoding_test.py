@@ -2,6 +2,8 @@
 
 import shutil
 import signal
+import subprocess
+import sys
 
 import numpy as np
 from PIL import Image
@@ -113,6 +115,17 @@ class EncodingTest(CliTest):
                 hmlfc.encode(views, progress=progress)
             self.assertLess(len(calls), calls[0])
 
+    def test_a_daemon_thread_ends_with_python(self):
+        program = f"""
+import sys, threading, time
+sys.path[:0] = {sys.path[:3]}
+import hmlfc
+views = hmlfc.read_views("views")
+threading.Thread(target=lambda: [hmlfc.encode(views) for _ in iter(int, 1)], daemon=True).start()
+time.sleep(0.3)"""
+        found = subprocess.run([sys.executable, "-c", program], cwd=self.folder, capture_output=True, timeout=60)
+        self.assertEqual((found.returncode, found.stderr), (0, b""))
+
     def test_wrong_arguments(self):
         pixels = self.views.pixels
         for views, options, says in [
@@ -134,6 +147,7 @@ class EncodingTest(CliTest):
             (pixels, {"lossless": True, "chroma": "420"}, "lossless needs"),
             (pixels, {"references": (0, 2)}, r"references is \(rows, columns\), each in \[1, 255\]"),
             (self.folder / "views", {"grid": (3, 0)}, "grid is"),
+            (self.folder / "views", {"grid": (2**40, 4)}, "grid cannot be"),
             (self.folder / "views", {"depth": 10}, "depth 8, not 10"),
         ]:
             with self.subTest(says=says), self.assertRaisesRegex(ValueError, says):

@@ -234,7 +234,7 @@ class LightFieldTest(CliTest):
         for wrong in [{"focus": 999}, {"filter": "sharp"}, {"geometry": "mesh"}, {"width": 0}, {"height": -1}]:
             with self.subTest(wrong=wrong), self.assertRaisesRegex(ValueError, next(iter(wrong))):
                 self.lf.render(**wrong)
-        with self.assertRaisesRegex(TypeError, r"position cannot be \(1, 2\); it is \(x, y, z\)"):
+        with self.assertRaisesRegex(ValueError, r"position cannot be \(1, 2\); it is \(x, y, z\)"):
             self.lf.render((1, 2))
         with self.assertWarnsRegex(hmlfc.Note, "black: .*towards columns 0 to 4 and rows 0 to 4"):
             self.lf.render((40, 2, 0))

@@ -19,7 +19,12 @@ struct Stopped {};
 template <class Work>
 auto interruptible(const Work& work) {
   std::atomic<bool> stop = false;
+  struct Stopping {
+    std::atomic<bool>& stop;
+    ~Stopping() { stop = true; }
+  };
   auto result = std::async(std::launch::async, [&] { return work(stop); });
+  const Stopping stopping{stop};  // where the thread ends with Python
   std::optional<Raised> raised;
   for (;;) {
     {

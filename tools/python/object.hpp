@@ -29,13 +29,14 @@ class Locked {
   PyGILState_STATE state_;
 };
 
-/// Lets go of the GIL meanwhile.
+/// Lets go of the GIL meanwhile. Where Python has ended, its daemon threads end at the `}`: what
+/// unwinds them passes through.
 class Unlocked {
  public:
   Unlocked() : state_(PyEval_SaveThread()) {}
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
-  ~Unlocked() { PyEval_RestoreThread(state_); }
+  ~Unlocked() noexcept(false) { PyEval_RestoreThread(state_); }
 
  private:
   PyThreadState* state_;

@@ -106,6 +106,18 @@ bool read(PyObject* from, std::optional<T>& to) {
   return Py_IsNone(from) != 0 || read(from, to.emplace());
 }
 
+/// Whether this is a number, or a list of such, of lists down to `depth`.
+inline bool has_numbers(PyObject* value, int depth) {
+  if (PyNumber_Check(value) != 0) return true;
+  if (depth == 0 || PyUnicode_Check(value)) return false;
+  const Py_ssize_t size = PySequence_Size(value);
+  bool all = nothing_raised();
+  for (Py_ssize_t i = 0; all && i < size; ++i) {
+    all = has_numbers(Object(PySequence_GetItem(value, i)).get(), depth - 1);
+  }
+  return all;
+}
+
 /// Reads arguments by name; the package passes all that are read. What is raised names them.
 class Options {
  public:
@@ -118,7 +130,7 @@ class Options {
     return value;
   }
 
-  /// The argument `name` as a T. Raises TypeError, or ValueError for a number that T cannot hold;
+  /// The argument `name` as a T. Raises TypeError, or ValueError for numbers that T cannot hold;
   /// either says what is `wanted`.
   template <class T>
   T get(const char* name, const std::string& wanted = "") const {
@@ -127,7 +139,7 @@ class Options {
     if (read(value, result)) return result;
     std::string shown;
     read(Object(PyObject_Repr(value)).get(), shown);
-    throw Raised(PyNumber_Check(value) != 0 ? PyExc_ValueError : PyExc_TypeError,
+    throw Raised(has_numbers(value, 2) ? PyExc_ValueError : PyExc_TypeError,
                  name + (" cannot be " + shown) + wanted);
   }
 
@@ -178,7 +190,7 @@ class Options {
 
 /// A function of the module, whose exceptions become Python's.
 template <Object (*kFunction)(const Options&)>
-PyObject* called(PyObject*, PyObject*, PyObject* given) noexcept {
+PyObject* called(PyObject*, PyObject*, PyObject* given) {
   try {
     return kFunction(Options(given)).release();
   } catch (const Raised& raised) {
