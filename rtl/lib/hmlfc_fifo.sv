@@ -47,17 +47,9 @@ module hmlfc_fifo #(
   assign take = out_valid && out_ready;
   assign taken_next = taken + {{INDEX_BITS{1'b0}}, take};
 
-  hmlfc_ram #(
-    .WIDTH(WIDTH),
-    .DEPTH(1 << INDEX_BITS)
-  ) storage (
-    .clk,
-    .write(put),
-    .write_address(written[INDEX_BITS-1:0]),
-    .write_data(in_data),
-    .read(1'b1),
-    .read_address(taken_next[INDEX_BITS-1:0]),
-    .read_data(stored)
+  hmlfc_ram #(.WIDTH(WIDTH), .DEPTH(1 << INDEX_BITS)) storage (
+    .clk, .write(put), .write_address(written[INDEX_BITS-1:0]), .write_data(in_data), .read(1'b1),
+    .read_address(taken_next[INDEX_BITS-1:0]), .read_data(stored)
   );
 
   always_ff @(posedge clk) begin

@@ -124,19 +124,9 @@ module hmlfc_read_port #(
   // Whose burst comes next, and whether it ends the request.
   logic owner_valid, owner_ends;
   logic [CLIENT_BITS-1:0] owner;
-  hmlfc_fifo #(
-      .WIDTH(CLIENT_BITS + 1),
-      .DEPTH(OUTSTANDING)
-  ) bursts (
-      .clk,
-      .rst_n,
-      .in_valid(issue),
-      .in_ready(queue_ready),
-      .in_data({finished, client}),
-      .out_valid(owner_valid),
-      .out_ready(m_axi_rvalid && m_axi_rlast),
-      .out_data({owner_ends, owner}),
-      .count()
+  hmlfc_fifo #(.WIDTH(CLIENT_BITS + 1), .DEPTH(OUTSTANDING)) bursts (
+      .clk, .rst_n, .in_valid(issue), .in_ready(queue_ready), .in_data({finished, client}), .out_valid(owner_valid),
+      .out_ready(m_axi_rvalid && m_axi_rlast), .out_data({owner_ends, owner}), .count()
   );
 
   assign m_axi_rready = 1'b1;

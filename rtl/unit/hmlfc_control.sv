@@ -58,9 +58,7 @@ module hmlfc_control #(
 
   logic [63:0] stream_base, stream_bytes, reference_base;
   logic load, disable_unit;
-  hmlfc_registers #(
-      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .AXI_DATA_BITS(DATA_BITS)
-  ) registers (
+  hmlfc_registers #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .AXI_DATA_BITS(DATA_BITS)) registers (
       .clk, .rst_n, .s_axil_awaddr, .s_axil_araddr, .s_axil_awvalid, .s_axil_awready, .s_axil_wdata, .s_axil_wstrb,
       .s_axil_wvalid, .s_axil_wready, .s_axil_bresp, .s_axil_bvalid, .s_axil_bready, .s_axil_arvalid, .s_axil_arready,
       .s_axil_rdata, .s_axil_rresp, .s_axil_rvalid, .s_axil_rready, .stream_base, .stream_bytes, .reference_base,
@@ -68,9 +66,7 @@ module hmlfc_control #(
       .error_valid(answered && answer_error != 0), .error(answer_error), .error_request(answered_request), .block_done,
       .in_flight(!idle), .stalled, .read_bytes(beat ? 6'(DATA_BITS / 8) : 6'd0), .answered
   );
-  hmlfc_loader #(
-      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(DATA_BITS)
-  ) loader (
+  hmlfc_loader #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .DATA_BITS(DATA_BITS)) loader (
       .clk, .rst_n, .load, .disable_unit, .idle, .loading, .enable, .flush, .error(load_error), .stream_base,
       .stream_bytes, .reference_base, .stream, .levels, .request, .response, .data
   );

@@ -40,18 +40,8 @@ module hmlfc_disparity_ask #(
   wire pass = !stream.features.shared_disparity;
   wire done = valid[STAGES] && (!needed[STAGES] || granted);
   wire advance = !valid[STAGES] || (done && out_ready);
-  hmlfc_disparity_place #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) place (
-      .clk,
-      .advance,
-      .stream,
-      .flow(in_flow),
-      .first_tile,
-      .tile(ask_tile),
-      .info(ask_info),
-      .x(out_x),
-      .y(out_y)
+  hmlfc_disparity_place #(.BLOCK_LOG2(BLOCK_LOG2)) place (
+      .clk, .advance, .stream, .flow(in_flow), .first_tile, .tile(ask_tile), .info(ask_info), .x(out_x), .y(out_y)
   );
 
   wire shares = in_flow.job.error == 0 && in_flow.motion.used && in_flow.motion.choice >= 4'd1 &&

@@ -76,21 +76,9 @@ module hmlfc_disparity_blocks #(
   logic [13:0] total_1;
   logic [WORD_BITS+5:0] position_1;
   logic [5*13-1:0] leasts;  // of stages 1 to 5
-  hmlfc_element_reader #(
-      .WORD_BITS(WORD_BITS),
-      .VALUE_BITS(10),
-      .WINDOW_BITS(WINDOW_BITS)
-  ) reader (
-      .clk,
-      .advance,
-      .position(position_1),
-      .total(total_1),
-      .level_code(code_1),
-      .index(index_1),
-      .value(value_5),
-      .read_enable,
-      .read_word,
-      .window
+  hmlfc_element_reader #(.WORD_BITS(WORD_BITS), .VALUE_BITS(10), .WINDOW_BITS(WINDOW_BITS)) reader (
+      .clk, .advance, .position(position_1), .total(total_1), .level_code(code_1), .index(index_1), .value(value_5),
+      .read_enable, .read_word, .window
   );
 
   hmlfc_pkg::flow_t flow_1, flow_3, next_2, flow_5, next_6;

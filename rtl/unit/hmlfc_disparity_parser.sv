@@ -79,10 +79,7 @@ module hmlfc_disparity_parser #(
     sized <= state == SIZE;
   end
   hmlfc_bise_bits size (
-      .clk,
-      .count,
-      .level_code({1'b0, code}),
-      .bits(head_total)
+      .clk, .count, .level_code({1'b0, code}), .bits(head_total)
   );
 
   assign parse_ready = state == IDLE;

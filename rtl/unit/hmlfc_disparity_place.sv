@@ -23,15 +23,8 @@ module hmlfc_disparity_place #(
 
   // 1: the block's own grid block, the plane's last ones, and which neighbour it is.
   logic [14:0] place_x, place_y;
-  hmlfc_motion_place #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) place (
-      .stream,
-      .plane(flow.job.plane),
-      .bx(flow.job.bx),
-      .by(flow.job.by),
-      .x(place_x),
-      .y(place_y)
+  hmlfc_motion_place #(.BLOCK_LOG2(BLOCK_LOG2)) place (
+      .stream, .plane(flow.job.plane), .bx(flow.job.bx), .by(flow.job.by), .x(place_x), .y(place_y)
   );
   wire second = stream.features.chroma_motion && flow.job.plane != 2'd0;
   hmlfc_pkg::motion_plane_t plane;
@@ -82,14 +75,7 @@ module hmlfc_disparity_place #(
 
   // 3 and 4: the tile's number and size.
   hmlfc_motion_tile area (
-      .clk,
-      .advance,
-      .stream,
-      .second(second_2),
-      .tile_x(tile_x_2),
-      .tile_y(tile_y_2),
-      .first_tile(first_2),
-      .tile,
+      .clk, .advance, .stream, .second(second_2), .tile_x(tile_x_2), .tile_y(tile_y_2), .first_tile(first_2), .tile,
       .info
   );
   always_ff @(posedge clk) if (advance) {at_3, y, x} <= {at_2, at_3};

@@ -29,10 +29,7 @@ module hmlfc_element_reader #(
   logic [13:0] group_bit;
   logic [2:0] slot;
   hmlfc_bise_place place (
-      .index,
-      .level_code,
-      .group_bit,
-      .slot
+      .index, .level_code, .group_bit, .slot
   );
   logic [WORD_BITS+5:0] position_1;
   logic [13:0] group_1, total_1;
@@ -77,14 +74,8 @@ module hmlfc_element_reader #(
 
   // 4: its value.
   logic [VALUE_BITS-1:0] element;
-  hmlfc_bise_element #(
-      .VALUE_BITS(VALUE_BITS)
-  ) decode (
-      .window(bits_3),
-      .bits_left(left_3),
-      .level_code(code_3),
-      .slot(slot_3),
-      .value(element)
+  hmlfc_bise_element #(.VALUE_BITS(VALUE_BITS)) decode (
+      .window(bits_3), .bits_left(left_3), .level_code(code_3), .slot(slot_3), .value(element)
   );
   always_ff @(posedge clk) if (advance) value <= element;
 

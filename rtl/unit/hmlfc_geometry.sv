@@ -107,9 +107,7 @@ module hmlfc_geometry #(
     plane_width <= of_chroma && !chroma_444 ? 15'((width + 17'd1) >> 1) : width[14:0];
     plane_height <= of_chroma && !chroma_444 ? 15'((height + 17'd1) >> 1) : height[14:0];
   end
-  hmlfc_plane_size #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) plane_size (
+  hmlfc_plane_size #(.BLOCK_LOG2(BLOCK_LOG2)) plane_size (
       .clk, .width(plane_width), .height(plane_height), .motion_tile_log2, .plane, .tiles_y, .motion_plane,
       .motion_tiles_y
   );
@@ -168,9 +166,7 @@ module hmlfc_geometry #(
       default: {dividend, divisor} = {level_cols, cluster_cols};
     endcase
   end
-  hmlfc_divide #(
-      .WIDTH(11)
-  ) divide (
+  hmlfc_divide #(.WIDTH(11)) divide (
       .clk, .rst_n, .start(divides && operands && divider_idle), .dividend(dividend - 11'd1), .divisor(11'(divisor)),
       .idle(divider_idle), .done(divided), .quotient
   );
@@ -226,9 +222,7 @@ module hmlfc_geometry #(
       default: ;
     endcase
   end
-  hmlfc_multiply_add #(
-      .A_BITS(34), .B_BITS(22), .SUM_BITS(44)
-  ) multiply_add (
+  hmlfc_multiply_add #(.A_BITS(34), .B_BITS(22), .SUM_BITS(44)) multiply_add (
       .clk, .rst_n, .start(multiplies && operands && multiplier_idle), .a, .b, .c, .idle(multiplier_idle),
       .done(multiplied), .sum
   );

@@ -55,20 +55,9 @@ module hmlfc_group_axis (
   wire [4*11-1:0] divisors = state == BEGINS ? {4{groups}} : {22'd0, balanced ? count : 11'(size), 11'(cluster)};
   wire divide = (state == PLACE || (state == BEGINS && balanced)) && !started;
   for (genvar i = 0; i < 4; i++) begin : g_divide
-    hmlfc_divide #(
-        .WIDTH(22),
-        .DIVISOR_BITS(11),
-        .QUOTIENT_BITS(12),
-        .STEP(2)
-    ) divide_one (
-        .clk,
-        .rst_n,
-        .start(divide && idle == 4'hF),
-        .dividend(dividends[i*22+:22]),
-        .divisor(divisors[i*11+:11]),
-        .idle(idle[i]),
-        .done(divided[i]),
-        .quotient({unused[i], quotients[i*11+:11]})
+    hmlfc_divide #(.WIDTH(22), .DIVISOR_BITS(11), .QUOTIENT_BITS(12), .STEP(2)) divide_one (
+        .clk, .rst_n, .start(divide && idle == 4'hF), .dividend(dividends[i*22+:22]), .divisor(divisors[i*11+:11]),
+        .idle(idle[i]), .done(divided[i]), .quotient({unused[i], quotients[i*11+:11]})
     );
   end
 

@@ -59,18 +59,14 @@ module hmlfc_loader #(
   logic [63:0] root_offset, root_size, group_offset, group_size, tile_offset, tile_size;
 
   wire begin_load = state == WAIT && idle;
-  hmlfc_header #(
-      .DATA_BITS(DATA_BITS)
-  ) header (
+  hmlfc_header #(.DATA_BITS(DATA_BITS)) header (
       .clk, .rst_n, .start(begin_load), .stream_base(stream_base[ADDRESS_BITS-1:0]), .stream_bytes, .done(header_done),
       .error(header_error), .features, .rows, .cols, .width, .height, .depth, .chroma_444, .block_log2, .window,
       .cluster_rows, .cluster_cols, .tree_height, .vector_precision, .disparity_precision, .motion_tile_log2,
       .disparity_grid_log2, .row_scale, .levels(level_entries), .root_offset, .root_size, .group_offset, .group_size,
       .tile_offset, .tile_size, .request, .response, .data
   );
-  hmlfc_geometry #(
-      .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)
-  ) geometry (
+  hmlfc_geometry #(.BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH)) geometry (
       .clk, .rst_n, .start(geometry_start), .done(geometry_done), .error(geometry_error),
       .stream_base(stream_base[ADDRESS_BITS-1:0]), .reference_base(reference_base[ADDRESS_BITS-1:0]), .features, .rows,
       .cols, .width, .height, .depth, .chroma_444, .block_log2, .window, .cluster_rows, .cluster_cols, .tree_height,

@@ -78,15 +78,8 @@ module hmlfc_motion_blocks #(
 
   // The block's motion block in its tile.
   logic [14:0] place_x, place_y;
-  hmlfc_motion_place #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) place (
-      .stream,
-      .plane(in_flow.job.plane),
-      .bx(in_flow.job.bx),
-      .by(in_flow.job.by),
-      .x(place_x),
-      .y(place_y)
+  hmlfc_motion_place #(.BLOCK_LOG2(BLOCK_LOG2)) place (
+      .stream, .plane(in_flow.job.plane), .bx(in_flow.job.bx), .by(in_flow.job.by), .x(place_x), .y(place_y)
   );
   wire [6:0] tile_mask = ~(7'h7F << stream.motion_tile_log2);
   logic [5:0] error_0, columns_0, code_0;
@@ -103,21 +96,9 @@ module hmlfc_motion_blocks #(
   logic [WORD_BITS+5:0] position_1;
   logic [3*5-1:0] palette_sizes;  // of stages 1 to 5
   logic [3:0] index_5;
-  hmlfc_element_reader #(
-      .WORD_BITS(WORD_BITS),
-      .VALUE_BITS(4),
-      .WINDOW_BITS(WINDOW_BITS)
-  ) reader (
-      .clk,
-      .advance,
-      .position(position_1),
-      .total(total_1),
-      .level_code(code_1),
-      .index(index_1),
-      .value(index_5),
-      .read_enable,
-      .read_word,
-      .window
+  hmlfc_element_reader #(.WORD_BITS(WORD_BITS), .VALUE_BITS(4), .WINDOW_BITS(WINDOW_BITS)) reader (
+      .clk, .advance, .position(position_1), .total(total_1), .level_code(code_1), .index(index_1), .value(index_5),
+      .read_enable, .read_word, .window
   );
 
   hmlfc_pkg::flow_t flow_1, next_2, flow_5, next_6;

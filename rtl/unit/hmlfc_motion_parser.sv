@@ -99,10 +99,7 @@ module hmlfc_motion_parser #(
     sizing <= state == HEAD ? 4'b1111 : sizing >> 1;
   end
   hmlfc_bise_bits size (
-      .clk,
-      .count,
-      .level_code,
-      .bits(total)
+      .clk, .count, .level_code, .bits(total)
   );
 
   // Fields of a palette entry, each one shift after the previous one; explicit_x and explicit_y are signed (CNV-5).

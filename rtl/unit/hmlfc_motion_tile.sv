@@ -18,14 +18,8 @@ module hmlfc_motion_tile (
   hmlfc_pkg::motion_plane_t plane;
   assign plane = second ? stream.motion_chroma : stream.motion_luma;
   hmlfc_tile_number number (
-      .clk,
-      .advance,
-      .first_tile,
-      .plane_first(plane.first_tile),
-      .tiles_x(11'(plane.tiles_x)),
-      .tile_x(11'(tile_x)),
-      .tile_y(11'(tile_y)),
-      .tile
+      .clk, .advance, .first_tile, .plane_first(plane.first_tile), .tiles_x(11'(plane.tiles_x)), .tile_x(11'(tile_x)),
+      .tile_y(11'(tile_y)), .tile
   );
 
   wire [2:0] log2 = stream.motion_tile_log2;

@@ -45,17 +45,10 @@ module hmlfc_record_ram #(
       /* verilator lint_on CMPCONST */
       localparam int LANE = b & (BEAT_WORDS - 1);  // of the bank's word in a beat
       wire [WORD_BITS-1:0] written = {write_beat, {$clog2(BEAT_WORDS){1'b0}}} + WORD_BITS'(LANE);
-      hmlfc_ram #(
-          .WIDTH(64),
-          .DEPTH(ROWS)
-      ) bank (
-          .clk,
-          .write(write && written[BANK_BITS-1:0] == BANK_BITS'(b)),
-          .write_address(written[WORD_BITS-1:BANK_BITS]),
-          .write_data(write_data[LANE*64+:64]),
-          .read(read_enable[r]),
-          .read_address(row),
-          .read_data(rows[b*64+:64])
+      hmlfc_ram #(.WIDTH(64), .DEPTH(ROWS)) bank (
+          .clk, .write(write && written[BANK_BITS-1:0] == BANK_BITS'(b)),
+          .write_address(written[WORD_BITS-1:BANK_BITS]), .write_data(write_data[LANE*64+:64]), .read(read_enable[r]),
+          .read_address(row), .read_data(rows[b*64+:64])
       );
     end
 

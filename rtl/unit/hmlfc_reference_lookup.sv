@@ -178,17 +178,9 @@ module hmlfc_reference_lookup #(
     logic late, same;
     wire [PLACE_BITS-1:0] place = places_6[b*PLACE_BITS+:PLACE_BITS];
     wire [TAG_BITS-1:0] own = wanted[b*TAG_BITS+:TAG_BITS];
-    hmlfc_ram #(
-        .WIDTH(TAG_BITS),
-        .DEPTH(PLACES)
-    ) tags (
-        .clk,
-        .write(ask && ask_bank == 2'(b)),
-        .write_address(place),
-        .write_data(own),
-        .read(advance),
-        .read_address(places_5[b*PLACE_BITS+:PLACE_BITS]),
-        .read_data(tag)
+    hmlfc_ram #(.WIDTH(TAG_BITS), .DEPTH(PLACES)) tags (
+        .clk, .write(ask && ask_bank == 2'(b)), .write_address(place), .write_data(own), .read(advance),
+        .read_address(places_5[b*PLACE_BITS+:PLACE_BITS]), .read_data(tag)
     );
     always_ff @(posedge clk) begin
       if (advance) begin

@@ -49,19 +49,9 @@ module hmlfc_requests #(
   // the previous one are done.
   logic next_valid, next_last, next_ready, waiting_ready;
   logic [63:0] next;
-  hmlfc_fifo #(
-      .WIDTH(65),
-      .DEPTH(2)
-  ) waiting (
-      .clk,
-      .rst_n,
-      .in_valid(s_valid && enable),
-      .in_ready(waiting_ready),
-      .in_data({s_last, s_data}),
-      .out_valid(next_valid),
-      .out_ready(next_ready),
-      .out_data({next_last, next}),
-      .count()
+  hmlfc_fifo #(.WIDTH(65), .DEPTH(2)) waiting (
+      .clk, .rst_n, .in_valid(s_valid && enable), .in_ready(waiting_ready), .in_data({s_last, s_data}),
+      .out_valid(next_valid), .out_ready(next_ready), .out_data({next_last, next}), .count()
   );
   assign s_ready = enable && waiting_ready;
   wire [11:0] row = next[11:0];

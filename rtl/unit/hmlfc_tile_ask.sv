@@ -60,15 +60,8 @@ module hmlfc_tile_ask #(
   wire predictive = !stream.features.motion_tiles && !image.is_reference;
 
   logic [14:0] place_x, place_y;
-  hmlfc_motion_place #(
-      .BLOCK_LOG2(BLOCK_LOG2)
-  ) place (
-      .stream,
-      .plane(in_job.plane),
-      .bx(in_job.bx),
-      .by(in_job.by),
-      .x(place_x),
-      .y(place_y)
+  hmlfc_motion_place #(.BLOCK_LOG2(BLOCK_LOG2)) place (
+      .stream, .plane(in_job.plane), .bx(in_job.bx), .by(in_job.by), .x(place_x), .y(place_y)
   );
 
   // 1: which tiles.
@@ -91,26 +84,13 @@ module hmlfc_tile_ask #(
 
   // 2 and 3: their numbers and sizes.
   hmlfc_tile_number residual (
-      .clk,
-      .advance,
-      .first_tile(first_1),
-      .plane_first(plane_first_1),
-      .tiles_x(tiles_x_1),
-      .tile_x(tile_x_1),
-      .tile_y(tile_y_1),
-      .tile(residual_tile)
+      .clk, .advance, .first_tile(first_1), .plane_first(plane_first_1), .tiles_x(tiles_x_1), .tile_x(tile_x_1),
+      .tile_y(tile_y_1), .tile(residual_tile)
   );
   logic [15:0] motion_size;
   hmlfc_motion_tile motion (
-      .clk,
-      .advance,
-      .stream,
-      .second(second_1),
-      .tile_x(motion_x_1),
-      .tile_y(motion_y_1),
-      .first_tile(first_1),
-      .tile(motion_tile),
-      .info(motion_size)
+      .clk, .advance, .stream, .second(second_1), .tile_x(motion_x_1), .tile_y(motion_y_1), .first_tile(first_1),
+      .tile(motion_tile), .info(motion_size)
   );
   always_ff @(posedge clk) begin
     if (advance) begin

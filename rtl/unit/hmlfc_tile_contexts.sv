@@ -85,19 +85,9 @@ module hmlfc_tile_contexts #(
   assign granted = hit ? !crowded : found && list_ready;
   assign context_number = hit ? hit_context : free_context;
 
-  hmlfc_fifo #(
-      .WIDTH(CONTEXT_BITS + TILE_BITS + INFO_BITS),
-      .DEPTH(CONTEXTS)
-  ) loads (
-      .clk,
-      .rst_n,
-      .in_valid(load),
-      .in_ready(list_ready),
-      .in_data({free_context, tile, info}),
-      .out_valid(load_valid),
-      .out_ready(load_ready),
-      .out_data({load_context, load_tile, load_info}),
-      .count()
+  hmlfc_fifo #(.WIDTH(CONTEXT_BITS + TILE_BITS + INFO_BITS), .DEPTH(CONTEXTS)) loads (
+      .clk, .rst_n, .in_valid(load), .in_ready(list_ready), .in_data({free_context, tile, info}),
+      .out_valid(load_valid), .out_ready(load_ready), .out_data({load_context, load_tile, load_info}), .count()
   );
 
   always_ff @(posedge clk) begin

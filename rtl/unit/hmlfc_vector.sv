@@ -59,31 +59,13 @@ module hmlfc_vector (
     end
   end
 
-  hmlfc_vector_axis #(
-    .COEFFICIENT_BITS(12)
-  ) axis_x (
-    .clk(clk),
-    .advance(advance),
-    .disparity(factor),
-    .coefficient(scale_x),
-    .shift(shift_x),
-    .vector_precision(precision),
-    .window(range),
-    .halve(halved),
-    .eighths({ix, fx})
+  hmlfc_vector_axis #(.COEFFICIENT_BITS(12)) axis_x (
+    .clk(clk), .advance(advance), .disparity(factor), .coefficient(scale_x), .shift(shift_x),
+    .vector_precision(precision), .window(range), .halve(halved), .eighths({ix, fx})
   );
-  hmlfc_vector_axis #(
-    .COEFFICIENT_BITS(18)
-  ) axis_y (
-    .clk(clk),
-    .advance(advance),
-    .disparity(factor),
-    .coefficient(scale_y),
-    .shift(shift_y),
-    .vector_precision(precision),
-    .window(range),
-    .halve(halved),
-    .eighths({iy, fy})
+  hmlfc_vector_axis #(.COEFFICIENT_BITS(18)) axis_y (
+    .clk(clk), .advance(advance), .disparity(factor), .coefficient(scale_y), .shift(shift_y),
+    .vector_precision(precision), .window(range), .halve(halved), .eighths({iy, fy})
   );
 endmodule
 
