@@ -13,6 +13,7 @@ module hmlfc_residual_blocks #(
     parameter int BLOCK_LOG2 = 2,
     parameter int MAX_DEPTH = 8,
     parameter int CLOCKS = 1,  // 1, 2, 4
+    parameter int PARSERS = 1,  // 1, 2
     parameter int CONTEXTS = 8,
     parameter int CONTEXT_WORDS = 256,
     parameter int WINDOW_BITS = 256,
@@ -23,7 +24,9 @@ module hmlfc_residual_blocks #(
     localparam int VALUE_BITS = MAX_DEPTH + 2,
     localparam int FLOW_BITS = hmlfc_pkg::FLOW_BITS,
     localparam int ENTRY_BITS = 6 + 6 + 4 + 14 + POSITION_BITS,
-    localparam int VECTOR_BITS = 18
+    localparam int VECTOR_BITS = 18,
+    localparam int PARSER_LOG2 = PARSERS - 1,
+    localparam int PARSED_BITS = CONTEXT_BITS - PARSER_LOG2
 ) (
     input logic clk,
     input logic rst_n,
@@ -33,17 +36,17 @@ module hmlfc_residual_blocks #(
     output logic release_valid,
     output logic [CONTEXT_BITS-1:0] release_context,
 
-    input logic head_write,
-    input logic vector_write,
-    input logic entry_write,
-    input logic [CONTEXT_BITS-1:0] parsed_context,
-    input logic [5:0] head_error,
-    input logic [63:0] head_motion,
-    input logic [63:0] head_residual,
-    input logic [5:0] vector_number,
-    input logic [VECTOR_BITS-1:0] vector_data,
-    input logic [5:0] entry_number,
-    input logic [ENTRY_BITS-1:0] entry_data,
+    input logic [PARSERS-1:0] head_write,
+    input logic [PARSERS-1:0] vector_write,
+    input logic [PARSERS-1:0] entry_write,
+    input logic [PARSERS*PARSED_BITS-1:0] parsed_context,
+    input logic [PARSERS*6-1:0] head_error,
+    input logic [PARSERS*64-1:0] head_motion,
+    input logic [PARSERS*64-1:0] head_residual,
+    input logic [PARSERS*6-1:0] vector_number,
+    input logic [PARSERS*VECTOR_BITS-1:0] vector_data,
+    input logic [PARSERS*6-1:0] entry_number,
+    input logic [PARSERS*ENTRY_BITS-1:0] entry_data,
 
     output logic read_enable,
     output logic [WORD_BITS-1:0] read_word,
@@ -91,10 +94,12 @@ module hmlfc_residual_blocks #(
   assign flow_1 = flows[0+:FLOW_BITS];
   wire [2:0] i = in_flow.job.bx[2:0];
   wire [2:0] j = in_flow.job.by[2:0];
-  hmlfc_ram #(.WIDTH(6 + 128), .DEPTH(CONTEXTS)) heads (
-      .clk, .write(head_write), .write_address(parsed_context), .write_data({head_error, head_motion, head_residual}),
-      .read(advance), .read_address(in_context), .read_data({head_error_1, motion_mask_1, residual_mask_1})
-  );
+  localparam int HEAD_BITS = 6 + 128;
+  localparam int PARSED = CONTEXTS / PARSERS;
+  logic [PARSERS*HEAD_BITS-1:0] heads;
+  wire odd_1 = PARSERS == 2 && flow_1.residual_context[0];
+  assign {head_error_1, motion_mask_1, residual_mask_1} =
+      odd_1 ? heads[PARSERS*HEAD_BITS-1-:HEAD_BITS] : heads[HEAD_BITS-1:0];
 
   // Stage 2: masks to ranks, one part a clock; stage 3: entry and vector.
   wire [5:0] first = CLOCKS == 1 ? 6'd0 : 6'(part) << $clog2(MASK_BITS);
@@ -111,16 +116,32 @@ module hmlfc_residual_blocks #(
   logic has_motion_3;
   assign flow_2 = flows[FLOW_BITS+:FLOW_BITS];
   assign flow_3 = flows[2*FLOW_BITS+:FLOW_BITS];
-  wire [CONTEXT_BITS-1:0] context_2 = flow_2.residual_context[CONTEXT_BITS-1:0];
+  wire [PARSED_BITS-1:0] parsed_2 = flow_2.residual_context[CONTEXT_BITS-1:PARSER_LOG2];
   wire [CONTEXT_BITS-1:0] context_3 = flow_3.residual_context[CONTEXT_BITS-1:0];
-  hmlfc_ram #(.WIDTH(VECTOR_BITS), .DEPTH(CONTEXTS * 64)) vectors (
-      .clk, .write(vector_write), .write_address({parsed_context, vector_number}), .write_data(vector_data),
-      .read(advance), .read_address({context_2, vector_2}), .read_data(vector_3)
-  );
-  hmlfc_ram #(.WIDTH(ENTRY_BITS), .DEPTH(CONTEXTS * 64)) entries (
-      .clk, .write(entry_write), .write_address({parsed_context, entry_number}), .write_data(entry_data),
-      .read(advance), .read_address({context_2, entry_2}), .read_data(entry_3)
-  );
+  logic [PARSERS*VECTOR_BITS-1:0] vectors;
+  logic [PARSERS*ENTRY_BITS-1:0] entries;
+  wire odd_3 = PARSERS == 2 && context_3[0];
+  assign vector_3 = odd_3 ? vectors[PARSERS*VECTOR_BITS-1-:VECTOR_BITS] : vectors[VECTOR_BITS-1:0];
+  assign entry_3 = odd_3 ? entries[PARSERS*ENTRY_BITS-1-:ENTRY_BITS] : entries[ENTRY_BITS-1:0];
+  for (genvar p = 0; p < PARSERS; p++) begin : g_parsed
+    wire [PARSED_BITS-1:0] written = parsed_context[p*PARSED_BITS+:PARSED_BITS];
+    hmlfc_ram #(.WIDTH(HEAD_BITS), .DEPTH(PARSED)) head_memory (
+        .clk, .write(head_write[p]), .write_address(written),
+        .write_data({head_error[p*6+:6], head_motion[p*64+:64], head_residual[p*64+:64]}), .read(advance),
+        .read_address(in_context[CONTEXT_BITS-1:PARSER_LOG2]), .read_data(heads[p*HEAD_BITS+:HEAD_BITS])
+    );
+    hmlfc_ram #(.WIDTH(VECTOR_BITS), .DEPTH(PARSED * 64)) vector_memory (
+        .clk, .write(vector_write[p]), .write_address({written, vector_number[p*6+:6]}),
+        .write_data(vector_data[p*VECTOR_BITS+:VECTOR_BITS]), .read(advance),
+        .read_address({parsed_2, vector_2}),
+        .read_data(vectors[p*VECTOR_BITS+:VECTOR_BITS])
+    );
+    hmlfc_ram #(.WIDTH(ENTRY_BITS), .DEPTH(PARSED * 64)) entry_memory (
+        .clk, .write(entry_write[p]), .write_address({written, entry_number[p*6+:6]}),
+        .write_data(entry_data[p*ENTRY_BITS+:ENTRY_BITS]), .read(advance),
+        .read_address({parsed_2, entry_2}), .read_data(entries[p*ENTRY_BITS+:ENTRY_BITS])
+    );
+  end
 
   always_comb begin
     next_2 = flow_1;

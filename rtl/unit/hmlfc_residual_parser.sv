@@ -8,7 +8,7 @@
 //   head      masks of the blocks with motion and with a residual, or an error of the whole tile;
 //   vectors   for the m-th block with motion: sign and vector (TIL-7), or vector_range;
 //   entries   for the m-th block with a residual: its header and where its values begin, or an error.
-// `loaded_valid` is high when all are written. Two clocks a field, three for a mask that the record holds, then one for
+// `loaded_valid` is high when all are written, until `loaded_ready`. Two clocks a field, three for a mask that the record holds, then one for
 // each vector, or two with one reader, and each entry.
 module hmlfc_residual_parser #(
     parameter int BLOCK_LOG2 = 2,
@@ -55,6 +55,7 @@ module hmlfc_residual_parser #(
     output logic [ENTRY_BITS-1:0] entry_data,  // {error, level code, step code, bias, position of the values}
 
     output logic loaded_valid,
+    input logic loaded_ready,
     output logic [CONTEXT_BITS-1:0] loaded_context,
     output logic loaded_keep
 );
@@ -258,7 +259,7 @@ module hmlfc_residual_parser #(
         else if (headers_last) state <= DRAIN;
       end
       DRAIN: if (!headers_pending) state <= FINISH;
-      default: state <= IDLE;  // FINISH
+      default: if (loaded_ready) state <= IDLE;  // FINISH
     endcase
     if (!rst_n) state <= IDLE;
   end

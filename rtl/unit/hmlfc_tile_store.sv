@@ -5,7 +5,8 @@
 // has for it: its residual and vector, its motion, or the disparity of its grid block.
 //
 // A block asks for its tile first (`ask`) and comes back later, with others in between (`in_*`); the time between hides
-// the walk through the index. hmlfc_tile_fetch brings the records of what is asked for.
+// the walk through the index. hmlfc_tile_fetch brings the records of what is asked for. Where blocks take one clock, two
+// parsers take the residual tiles of even and of odd contexts.
 module hmlfc_tile_store #(
     parameter int KIND = hmlfc_pkg::RESIDUAL_TILES,  // or MOTION_TILES, DISPARITY_TILES
     parameter int BLOCK_LOG2 = 2,
@@ -63,8 +64,13 @@ module hmlfc_tile_store #(
     input logic [PARSE_BITS-1:0] parse
 );
 
-  localparam int PARSER_READS = RESIDUALS && CLOCKS == 1 ? 2 : 1;  // read ports of the parser
+  localparam int PARSER_READS = RESIDUALS && CLOCKS == 1 ? 2 : 1;  // read ports of a parser
+  localparam int PARSERS = RESIDUALS && CLOCKS == 1 && CONTEXTS > 2 ? 2 : 1;
+  localparam int PARSER_LOG2 = PARSERS - 1;
+  localparam int PARSED_BITS = CONTEXT_BITS - PARSER_LOG2;  // of a context of one parser
   localparam int WORD_BITS = $clog2(CONTEXTS * CONTEXT_WORDS);
+  localparam int PARSER_WORD_BITS = WORD_BITS - PARSER_LOG2;
+  localparam int PLACE_BITS = BEAT_BITS - CONTEXT_BITS;  // of a beat in its context
   // Words of a read: a beat's at least, and what a block takes at once, wherever it begins.
   localparam int BEAT_BANKS = DATA_BITS > 128 ? 4 : 2;
   localparam int PART_BANKS = 1 << $clog2((SAMPLES * VALUE_BITS / CLOCKS + 63 + 63) / 64);
@@ -95,47 +101,72 @@ module hmlfc_tile_store #(
       .ready, .release_valid, .release_context
   );
 
-  logic [PARSER_READS-1:0] parser_enable;
-  logic [PARSER_READS*WORD_BITS-1:0] parser_word;
-  logic [PARSER_READS*PARSER_BITS-1:0] parser_window;
+  logic [PARSERS*PARSER_READS-1:0] parser_enable;
+  logic [PARSERS*PARSER_READS*PARSER_WORD_BITS-1:0] parser_word;
+  logic [PARSERS*PARSER_READS*PARSER_BITS-1:0] parser_window;
   logic blocks_enable;
   logic [WORD_BITS-1:0] blocks_word;
   logic [WINDOW_BITS-1:0] blocks_window;
-  hmlfc_record_ram #(
-      .DATA_BITS(DATA_BITS), .BANKS(PARSER_BANKS), .WORDS(CONTEXTS * CONTEXT_WORDS), .READS(PARSER_READS)
-  ) parser_records (
-      .clk, .write, .write_beat, .write_data(data), .read_enable(parser_enable), .read_word(parser_word),
-      .window(parser_window)
-  );
+  for (genvar p = 0; p < PARSERS; p++) begin : g_records
+    hmlfc_record_ram #(
+        .DATA_BITS(DATA_BITS), .BANKS(PARSER_BANKS), .WORDS(1 << PARSER_WORD_BITS), .READS(PARSER_READS)
+    ) records (
+        .clk, .write(write && (PARSERS == 1 || write_beat[PLACE_BITS] == 1'(p))),
+        .write_beat({write_beat[BEAT_BITS-1:PLACE_BITS+PARSER_LOG2], write_beat[PLACE_BITS-1:0]}), .write_data(data),
+        .read_enable(parser_enable[p*PARSER_READS+:PARSER_READS]),
+        .read_word(parser_word[p*PARSER_READS*PARSER_WORD_BITS+:PARSER_READS*PARSER_WORD_BITS]),
+        .window(parser_window[p*PARSER_READS*PARSER_BITS+:PARSER_READS*PARSER_BITS])
+    );
+  end
   hmlfc_record_ram #(.DATA_BITS(DATA_BITS), .BANKS(BANKS), .WORDS(CONTEXTS * CONTEXT_WORDS), .READS(1)) blocks_records (
       .clk, .write, .write_beat, .write_data(data), .read_enable(blocks_enable), .read_word(blocks_word),
       .window(blocks_window)
   );
 
   if (RESIDUALS) begin : g_residuals
-    logic head_write, vector_write, entry_write;
-    logic [5:0] head_error, vector_number, entry_number;
-    logic [63:0] head_motion, head_residual;
-    logic [17:0] vector_data;
-    logic [ENTRY_BITS-1:0] entry_data;
-    hmlfc_residual_parser #(
-        .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS), .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(PARSER_BITS),
-        .SKEW_BITS(SKEW_BITS), .READERS(PARSER_READS)
-    ) parser (
-        .clk, .rst_n, .stream, .parse_valid, .parse_ready, .parse_context, .parse_info, .parse_error, .parse_empty,
-        .parse_skew, .parse_bits, .read_enable(parser_enable), .read_word(parser_word), .window(parser_window),
-        .head_write, .head_error, .head_motion, .head_residual, .vector_write, .vector_number, .vector_data,
-        .entry_write, .entry_number, .entry_data, .loaded_valid, .loaded_context, .loaded_keep
-    );
+    logic [PARSERS-1:0] free, finished, keep, head_write, vector_write, entry_write;
+    logic [PARSERS*PARSED_BITS-1:0] parsed_context;
+    logic [PARSERS*6-1:0] head_error, vector_number, entry_number;
+    logic [PARSERS*64-1:0] head_motion, head_residual;
+    logic [PARSERS*18-1:0] vector_data;
+    logic [PARSERS*ENTRY_BITS-1:0] entry_data;
+    for (genvar p = 0; p < PARSERS; p++) begin : g_parser
+      wire mine = PARSERS == 1 || parse_context[0] == 1'(p);
+      hmlfc_residual_parser #(
+          .BLOCK_LOG2(BLOCK_LOG2), .CONTEXTS(CONTEXTS / PARSERS), .CONTEXT_WORDS(CONTEXT_WORDS),
+          .WINDOW_BITS(PARSER_BITS), .SKEW_BITS(SKEW_BITS), .READERS(PARSER_READS)
+      ) parser (
+          .clk, .rst_n, .stream, .parse_valid(parse_valid && mine), .parse_ready(free[p]),
+          .parse_context(parse_context[CONTEXT_BITS-1:PARSER_LOG2]), .parse_info, .parse_error, .parse_empty,
+          .parse_skew, .parse_bits, .read_enable(parser_enable[p*PARSER_READS+:PARSER_READS]),
+          .read_word(parser_word[p*PARSER_READS*PARSER_WORD_BITS+:PARSER_READS*PARSER_WORD_BITS]),
+          .window(parser_window[p*PARSER_READS*PARSER_BITS+:PARSER_READS*PARSER_BITS]), .head_write(head_write[p]),
+          .head_error(head_error[p*6+:6]), .head_motion(head_motion[p*64+:64]),
+          .head_residual(head_residual[p*64+:64]), .vector_write(vector_write[p]),
+          .vector_number(vector_number[p*6+:6]), .vector_data(vector_data[p*18+:18]), .entry_write(entry_write[p]),
+          .entry_number(entry_number[p*6+:6]), .entry_data(entry_data[p*ENTRY_BITS+:ENTRY_BITS]),
+          .loaded_valid(finished[p]), .loaded_ready(p == 0 || !finished[0]),
+          .loaded_context(parsed_context[p*PARSED_BITS+:PARSED_BITS]), .loaded_keep(keep[p])
+      );
+    end
+    assign loaded_valid = finished != 0;
+    if (PARSERS == 2) begin : g_two
+      assign parse_ready = free[parse_context[0]];
+      assign loaded_context = finished[0] ? {parsed_context[PARSED_BITS-1:0], 1'b0} :
+          {parsed_context[PARSED_BITS+:PARSED_BITS], 1'b1};
+      assign loaded_keep = finished[0] ? keep[0] : keep[1];
+    end else begin : g_one
+      assign {parse_ready, loaded_context, loaded_keep} = {free, parsed_context, keep};
+    end
 
     hmlfc_residual_blocks #(
-        .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .CLOCKS(CLOCKS), .CONTEXTS(CONTEXTS),
+        .BLOCK_LOG2(BLOCK_LOG2), .MAX_DEPTH(MAX_DEPTH), .CLOCKS(CLOCKS), .PARSERS(PARSERS), .CONTEXTS(CONTEXTS),
         .CONTEXT_WORDS(CONTEXT_WORDS), .WINDOW_BITS(WINDOW_BITS)
     ) blocks (
         .clk, .rst_n, .stream, .ready, .release_valid, .release_context, .head_write, .vector_write, .entry_write,
-        .parsed_context(loaded_context), .head_error, .head_motion, .head_residual, .vector_number, .vector_data,
-        .entry_number, .entry_data, .read_enable(blocks_enable), .read_word(blocks_word), .window(blocks_window),
-        .in_valid, .in_ready, .in_flow, .out_valid, .out_ready, .out_flow, .out_has_residual, .out_residual
+        .parsed_context, .head_error, .head_motion, .head_residual, .vector_number, .vector_data, .entry_number,
+        .entry_data, .read_enable(blocks_enable), .read_word(blocks_word), .window(blocks_window), .in_valid,
+        .in_ready, .in_flow, .out_valid, .out_ready, .out_flow, .out_has_residual, .out_residual
     );
   end else begin : g_no_residual
     assign out_has_residual = 1'b0;
