@@ -184,7 +184,6 @@ class Server(CliTest):
         self.end(server)
 
     def test_ctrl_c_ends_it_while_much_is_worked_out_and_a_second_signal_at_once(self):
-        # With two it does not matter which was handled second.
         for signals, *statuses in ([signal.SIGINT], DONE), ([signal.SIGINT, signal.SIGTERM], -signal.SIGINT, -signal.SIGTERM):
             server = self.serve("large.hmlfc")
             self.ask(server, "totals")

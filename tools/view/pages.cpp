@@ -4,13 +4,13 @@ namespace hmlfc::view {
 
 void Pages::sent(Time now) {
   const std::lock_guard lock(mutex_);
-  coming_.push_back(now);
-  if (coming_.size() > kMost) coming_.pop_front();
+  ++coming_;
+  last_sent_ = now;
 }
 
 void Pages::arrived(Time now) {
   const std::lock_guard lock(mutex_);
-  if (!coming_.empty()) coming_.pop_front();
+  if (coming_ > 0) --coming_;
   any_ = true;
   last_seen_ = now;
 }
@@ -30,8 +30,8 @@ std::shared_ptr<const void> Pages::opened() {
 
 bool Pages::all_closed(Time now) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(coming_, [now](Time sent) { return now - sent > kSilence; });
-  return any_ && open_ == 0 && coming_.empty() && now - last_seen_ >= kReload;
+  if (now - last_sent_ > kSilence) coming_ = 0;
+  return any_ && open_ == 0 && coming_ == 0 && now - last_seen_ >= kReload;
 }
 
 }  // namespace hmlfc::view

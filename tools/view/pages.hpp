@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <deque>
 #include <memory>
 #include <mutex>
 
@@ -18,7 +17,6 @@ class Pages {
 
   static constexpr std::chrono::seconds kSilence{90};  ///< after which a sent page counts as closed
   static constexpr std::chrono::seconds kReload{2};    ///< in which a reloaded page comes back
-  static constexpr size_t kMost = 256;                 ///< sent pages that are told apart
 
   /// A page has been sent: it counts as open until it arrives, which may take long where the
   /// machine is busy, or for kSilence. A page that is loaded again is sent before it closes.
@@ -35,8 +33,9 @@ class Pages {
 
  private:
   std::mutex mutex_;
-  std::deque<Time> coming_;  // when pages were sent that have not arrived
-  size_t open_ = 0;          // what opened() returned and lives
+  size_t coming_ = 0;  // pages that were sent and have not arrived
+  Time last_sent_{};
+  size_t open_ = 0;  // what opened() returned and lives
   bool any_ = false;
   Time last_seen_{};  // when a page arrived or closed
 };

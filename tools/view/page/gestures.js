@@ -39,12 +39,7 @@ export function listen(target, gestures) {
     travelled += Math.hypot(dx, dy);
     if (travelled <= STILL) return;
     const box = target.getBoundingClientRect();
-    const parts = [dx / box.width / fingers.size, dy / box.height / fingers.size];
-    if (turning) {
-      gestures.turn(parts[0], parts[1]);
-    } else {
-      gestures.move(parts[0], parts[1]);
-    }
+    gestures[turning ? "turn" : "move"](dx / box.width / fingers.size, dy / box.height / fingers.size);
     if (fingers.size === 2) gestures.advance(((spread() - before) / box.width) * 10);
   });
 
