@@ -14,10 +14,10 @@ const CHANGED = "the file has changed: load the page again";
 
 /**
  * Another try may help.
- * @returns {never}
+ * @param {string} what the host does @returns {never}
  */
-function silent() {
-  throw Object.assign(new Error("the host does not answer"), {name: "NetworkError"});
+function silent(what) {
+  throw Object.assign(new Error(`the host ${what}`), {name: "NetworkError"});
 }
 
 /**
@@ -25,7 +25,8 @@ function silent() {
  * @param {string} address @param {Record<string, string>} [headers]
  */
 async function ask(address, headers) {
-  const answer = await fetch(address, {headers}).catch(silent);
+  const answer = await fetch(address, {headers}).catch(() => silent("does not answer"));
+  if (answer.status === 429 || answer.status >= 500) silent(`answers with status ${answer.status}`);
   if (!answer.ok) throw new Error(`${address}: the host answers with status ${answer.status}`);
   return answer;
 }
@@ -40,7 +41,7 @@ async function bytesOf(answer, most, tooMany) {
   let size = 0;
   const reader = /** @type {ReadableStream<Uint8Array>} */ (answer.body).getReader();
   for (;;) {
-    const {done, value} = await reader.read().catch(silent);
+    const {done, value} = await reader.read().catch(() => silent("does not answer"));
     if (done) break;
     size += value.length;
     if (size > most) {

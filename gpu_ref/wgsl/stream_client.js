@@ -94,7 +94,8 @@ export class StreamClient {
    * @param {URL} folder of the module, hmlfc_stream.wasm
    */
   static async open(address, folder, threads = Math.max(2, Math.min(4, navigator.hardwareConcurrency))) {
-    const code = WebAssembly.compileStreaming(fetch(new URL("hmlfc_stream.wasm", folder)));
+    // Not compileStreaming(), which takes it only as application/wasm: many hosts do not know that type.
+    const code = fetch(new URL("hmlfc_stream.wasm", folder)).then(answer => answer.arrayBuffer()).then(WebAssembly.compile);
     code.catch(() => {});
     const file = await RangedFile.open(address);
     const compiled = await code;

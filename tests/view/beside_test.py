@@ -62,6 +62,11 @@ class Beside(IntoCase):
         pairs = list(zip(sum(own, []), sum(twin, [])))
         self.assertEqual(marked, [[[a, a != b] for a, b in pairs], [[b, a != b] for a, b in pairs]])
         self.assertTrue(self.browser.page.find_elements("css selector", ".differs"))
+        # A stream of other blocks, with fewer levels: nothing of the two is compared.
+        self.hmlfc(*"encode views -o large.hmlfc --block 8".split())
+        self.look("tree.hmlfc", "--original", "large.hmlfc", beside="twin", stage="sample", block="10,6", levels="2")
+        self.browser.until("both", lambda: "Block x 5, y 3" in self.browser.text("block"))
+        self.assertFalse(self.browser.page.find_elements("css selector", ".wrong, .differs"))
 
     def test_the_bar_below_the_picture_moves(self):
         from selenium.webdriver.common.keys import Keys

@@ -1,5 +1,6 @@
 """hmlfc view: the server by HTTP; what it gives is what the other commands give."""
 
+import http.client
 import json
 import math
 import re
@@ -54,10 +55,14 @@ class View(CliTest):
 
     def test_once_ends_with_the_page(self):
         server = self.serve("a.hmlfc", "--once")
-        self.assertEqual(server.ask("opened", {"page": 5}, method="POST")[0], 200)
-        time.sleep(0.5)
+        self.assertEqual(server.ask("arrived", method="POST")[0], 200)
+        page = http.client.HTTPConnection(server.host, timeout=60)
+        page.request("GET", server.path + "open")
+        answer = page.getresponse()
+        self.assertEqual(answer.status, 200)
+        time.sleep(3)
         self.assertIsNone(server.process.poll())
-        self.assertEqual(server.ask("closed", {"page": 5}, method="POST")[0], 200)
+        answer.close()
         self.assertEqual(server.process.wait(timeout=20), DONE)
 
     def test_a_port_that_is_taken(self):

@@ -116,11 +116,15 @@ TEST(ViewConnection, DoesNotReadForEverWhatItRefuses) {
   EXPECT_LT(rounds, 1000);
 }
 
-TEST(ViewConnection, EndsWithoutAnAnswer) {
+TEST(ViewConnection, AnAnswerWithoutAnEndLivesUntilTheOtherSideCloses) {
   Both both;
   both.send("GET /a HTTP/1.1\r\n\r\n");
   ASSERT_TRUE(both.connection->work(both.begin));
-  both.connection->answer("", both.begin);
+  both.connection->answer("head", both.begin, std::make_shared<int>());
+  EXPECT_FALSE(both.connection->work(both.begin));
+  EXPECT_EQ(both.connection->deadline(), both.begin + Connection::kOpenTime);
+  both.other = {};
+  EXPECT_FALSE(both.connection->work(both.begin));
   EXPECT_EQ(both.connection->phase(), Connection::Phase::kEnded);
 }
 

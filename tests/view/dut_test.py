@@ -7,7 +7,6 @@ from pathlib import Path
 
 from faulty_decoder import OFF, X, Y, off
 from page_case import WIDTH, IntoCase, run_in_browser
-from page_server import PageServer
 from pictures import read_png
 from program import DIFFERENT, ROOT, USAGE
 
@@ -114,17 +113,15 @@ class Dut(IntoCase):
         self.assertIn(failed["view"].replace("'", "&#39;")[:20], (self.folder / "report" / "report.html").read_text())
         words = shlex.split(failed["view"])
         self.assertEqual(words[:2], ["hmlfc", "view"])
-        with PageServer(self.folder, *words[2:]) as server:
-            self.browser.open(server.address)
-            self.browser.until("both", lambda: "R,G,B, " in self.browser.text("block"))
-            place = failed["difference"]
-            block = [place["block_x"], place["block_y"]]
-            self.assertIn(f"view row {place['view_row']}, column {place['view_col']}", self.browser.text("block"))
-            self.assertTrue(self.browser.element("picture-beside").is_displayed())
-            (text,) = [text for _, cells in self.wrong_cells() for text, kind in cells if kind == "wrong"]
-            self.assertIn(str(place["actual"]), text)
-            self.assertEqual(json.loads(self.browser.element("picture").get_attribute("data-shown"))["block"],
-                             ",".join(map(str, block)))
+        self.open("", *words[2:])
+        self.browser.until("both", lambda: "R,G,B, " in self.browser.text("block"))
+        place = failed["difference"]
+        self.assertIn(f"view row {place['view_row']}, column {place['view_col']}", self.browser.text("block"))
+        self.assertTrue(self.browser.element("picture-beside").is_displayed())
+        (text,) = [text for _, cells in self.wrong_cells() for text, kind in cells if kind == "wrong"]
+        self.assertIn(str(place["actual"]), text)
+        shown = json.loads(self.browser.element("picture").get_attribute("data-shown"))
+        self.assertEqual(shown["block"], f"{place['block_x']},{place['block_y']}")
 
     def test_options_that_do_not_fit(self):
         self.refused(USAGE, "view", "a.hmlfc", "--no-browser", "--view", "0,1", says="--block")

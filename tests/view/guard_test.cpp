@@ -52,40 +52,38 @@ TEST(ViewGuard, TokensDiffer) {
   std::set<std::string> tokens;
   for (int i = 0; i < 100; ++i) tokens.insert(random_token());
   EXPECT_EQ(tokens.size(), 100u);
-  EXPECT_EQ(tokens.begin()->size(), 32u);
+}
+
+// Times from now on, since what ends takes its own.
+Pages::Time at(int seconds) {
+  static const Pages::Time begin = Pages::Clock::now();
+  return begin + std::chrono::seconds(seconds);
 }
 
 TEST(ViewPages, EndsAfterTheLastPage) {
   Pages pages;
-  const Pages::Time begin{};
-  const auto at = [begin](int seconds) { return begin + std::chrono::seconds(seconds); };
   EXPECT_FALSE(pages.all_closed(at(1000))) << "before the first page";
-  pages.opened(1, at(1000));
-  pages.opened(2, at(1001));
-  pages.closed(1, at(1002));
-  EXPECT_FALSE(pages.all_closed(at(1010))) << "one of two is open";
-  pages.closed(2, at(1010));
-  EXPECT_FALSE(pages.all_closed(at(1011))) << "it may be loaded again";
-  pages.opened(3, at(1011));
-  EXPECT_FALSE(pages.all_closed(at(1100)));
-  pages.opened(2, at(1101));  // of a page that has closed, late
-  EXPECT_FALSE(pages.all_closed(at(1011 + 91))) << "it has just been given up";
-  EXPECT_TRUE(pages.all_closed(at(1011 + 94)));
+  auto first = pages.opened();
+  auto second = pages.opened();
+  first.reset();
+  EXPECT_FALSE(pages.all_closed(at(1000))) << "one of two is open";
+  second.reset();
+  EXPECT_FALSE(pages.all_closed(at(1))) << "it may be loaded again";
+  EXPECT_TRUE(pages.all_closed(at(10)));
+  pages.arrived(at(11));
+  EXPECT_FALSE(pages.all_closed(at(12))) << "it is about to open";
+  EXPECT_TRUE(pages.all_closed(at(13)));
 }
 
 TEST(ViewPages, WaitsForThePageThatWasSent) {
   Pages pages;
-  const Pages::Time begin{};
-  const auto at = [begin](int seconds) { return begin + std::chrono::seconds(seconds); };
   pages.sent(at(0));
-  pages.opened(1, at(1));
+  pages.arrived(at(1));
   pages.sent(at(10));  // the page is loaded again
-  pages.closed(1, at(11));
   EXPECT_FALSE(pages.all_closed(at(30))) << "a busy machine takes long to show a page";
-  pages.opened(2, at(31));
-  pages.closed(2, at(32));
+  pages.arrived(at(31));
   EXPECT_TRUE(pages.all_closed(at(35)));
-  pages.sent(at(36));  // and never opens
+  pages.sent(at(36));  // and never arrives
   EXPECT_FALSE(pages.all_closed(at(36 + 90)));
   EXPECT_TRUE(pages.all_closed(at(36 + 91)));
 }

@@ -91,7 +91,7 @@ TEST(ViewHandler, RefusalsNameWhatIsWrong) {
   EXPECT_EQ(fixture.get("").status, 200);
   EXPECT_EQ(fixture.handler.answer({"POST", "/token/frame", {}, "127.0.0.1:80", "", ""}).status,
             405);
-  EXPECT_EQ(fixture.handler.answer({"GET", "/token/opened", {}, "127.0.0.1:80", "", ""}).status,
+  EXPECT_EQ(fixture.handler.answer({"GET", "/token/arrived", {}, "127.0.0.1:80", "", ""}).status,
             405);
 }
 

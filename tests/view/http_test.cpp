@@ -106,11 +106,13 @@ TEST(ViewHttp, AnswersAreWholeButForHead) {
   response.body = "abc";
   response.headers.emplace_back("Name", "value");
   const std::string head =
-      "HTTP/1.1 200 OK\r\nContent-Length: 3\r\nContent-Type: text/plain\r\n"
-      "Connection: keep-alive\r\nName: value\r\n\r\n";
+      "HTTP/1.1 200 OK\r\nContent-Type: text/plain\r\nConnection: keep-alive\r\n"
+      "Content-Length: 3\r\nName: value\r\n\r\n";
   EXPECT_EQ(response_bytes(response, false, true), head + "abc");
   EXPECT_EQ(response_bytes(response, true, true), head);
   EXPECT_NE(response_bytes(response, false, false).find("Connection: close\r\n"), head.npos);
+  response.open = std::make_shared<int>();
+  EXPECT_EQ(response_bytes(response, false, true).find("Length"), head.npos);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "cli/block_request.hpp"
 #include "syntax/geometry.hpp"
 #include "view/block_page.hpp"
-#include "view/pixels.hpp"
 #include "view/plane_request.hpp"
 #include "view/query.hpp"
 

@@ -29,6 +29,8 @@ Connection::Time Connection::deadline() const {
       return Time::max();
     case Phase::kWriting:
       return since_ + kAnswerTime;
+    case Phase::kOpen:
+      return since_ + kOpenTime;
     case Phase::kClosing:
       return since_ + kCloseTime;
     case Phase::kEnded:
@@ -52,8 +54,9 @@ std::optional<HttpRequest> Connection::work(Time now) {
   return phase_ == Phase::kReading ? next(now) : std::nullopt;
 }
 
-void Connection::answer(std::string bytes, Time now) {
+void Connection::answer(std::string bytes, Time now, std::shared_ptr<const void> open) {
   if (bytes.empty()) return end();
+  open_ = std::move(open);
   answer_ = std::move(bytes);
   written_ = 0;
   enter(Phase::kWriting, now);
@@ -87,8 +90,8 @@ void Connection::write(Time now) {
   written_ += static_cast<size_t>(count);
   if (written_ < answer_.size()) return;
   answer_ = {};
-  if (keep_) {
-    enter(Phase::kReading, now);
+  if (open_ || keep_) {
+    enter(open_ ? Phase::kOpen : Phase::kReading, now);
   } else {
     // To close at once would take back the answer where more has come than was read.
     ::shutdown(socket_.get(), SHUT_WR);

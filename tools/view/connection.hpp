@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -20,11 +21,12 @@ class Connection {
   using Clock = std::chrono::steady_clock;
   using Time = Clock::time_point;
 
-  /// In which a request comes whole, counted from the connection or the answer before. An open page
-  /// asks every 10 s.
+  /// In which a request comes whole, counted from the connection or the answer before.
   static constexpr std::chrono::seconds kRequestTime{15};
   /// In which an answer is taken whole.
   static constexpr std::chrono::seconds kAnswerTime{60};
+  /// In which an answer without an end ends all the same: browsers give up those that are silent.
+  static constexpr std::chrono::seconds kOpenTime{60};
   /// In which the other side closes, too, so that it sees why it was refused.
   static constexpr std::chrono::seconds kCloseTime{1};
 
@@ -32,6 +34,7 @@ class Connection {
     kReading,    ///< a request comes
     kAnswering,  ///< it has come; answer() follows
     kWriting,    ///< the answer goes
+    kOpen,       ///< it has no end, and waits for the other side to close
     kClosing,    ///< no more is answered
     kEnded,      ///< to be destroyed
   };
@@ -49,8 +52,9 @@ class Connection {
   /// Reads or writes what is ready. The request that is now whole, if one is.
   std::optional<HttpRequest> work(Time now);
 
-  /// The answer, of response_bytes(), to the request that work() gave; without one it ends.
-  void answer(std::string bytes, Time now);
+  /// The answer, of response_bytes(), to the request that work() gave; without one it ends. With
+  /// `open` the answer has no end, and `open` lives as long as the connection.
+  void answer(std::string bytes, Time now, std::shared_ptr<const void> open = nullptr);
 
   void end() { phase_ = Phase::kEnded; }
 
@@ -67,7 +71,8 @@ class Connection {
   std::string answer_;
   size_t written_ = 0;  // bytes of answer_
   size_t ignored_ = 0;  // bytes that came after the last answer
-  bool keep_ = true;    // another request may follow
+  std::shared_ptr<const void> open_;
+  bool keep_ = true;  // another request may follow
 };
 
 }  // namespace hmlfc::view

@@ -1,6 +1,7 @@
 // What a browser asks and what it is answered, without sockets.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ struct Response {
   std::string type = "application/json; charset=utf-8";
   std::string body{};
   std::vector<std::pair<std::string, std::string>> headers{};  ///< besides those of guard.hpp
+  std::shared_ptr<const void> open{};  ///< unless null: the answer has no end, while it lives
 };
 
 }  // namespace hmlfc::view

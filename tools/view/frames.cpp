@@ -7,7 +7,7 @@
 #include "cli/render_trace.hpp"
 #include "io/image_files.hpp"
 #include "vectors/frame_case.hpp"
-#include "view/pixels.hpp"
+#include "view/plane_request.hpp"
 #include "view/query.hpp"
 
 namespace hmlfc::view {
@@ -18,12 +18,6 @@ using cli::Json;
 
 namespace {
 
-FrameRecord record_of(const Camera& camera, const cli::StreamFile& file) {
-  const auto record = frame_record(camera, file.header());
-  if (!record) throw Failure(ExitCode::kUsage, record.error().message);
-  return *record;
-}
-
 int stop_level_of(const LookQuery& look, const cli::StreamFile& file) {
   return look.levels ? file.stop_level(*look.levels) : 0;
 }
@@ -33,7 +27,8 @@ int stop_level_of(const LookQuery& look, const cli::StreamFile& file) {
 FrameRecord Frames::render(const Query& query) {
   const LookQuery look = read_look_query(query);
   const cli::StreamFile& file = stream_.for_frames();
-  const FrameRecord record = record_of(cameras_of(look.cameras, file).cameras.front(), file);
+  const Camera camera = cameras_of(look.cameras, file).cameras.front();
+  const FrameRecord record = *frame_record(camera, file.header());  // cameras_of() has checked it
   const int stop_level = stop_level_of(look, file);
   if (renderer_ == nullptr) {
     renderer_ = make_cpu_renderer(file.decoder());
@@ -86,7 +81,8 @@ Response Frames::trace(const Query& query) const {
       read_look_query(query, [&pixel](CLI::App& app) { cli::add_trace(app, pixel)->required(); });
   const cli::StreamFile& file = stream_.for_blocks();
   const Camera camera = cameras_of(look.cameras, file).cameras.front();
-  Json json = trace_json(file, record_of(camera, file), stop_level_of(look, file), *pixel);
+  Json json =
+      trace_json(file, *frame_record(camera, file.header()), stop_level_of(look, file), *pixel);
   json["inputs"] = vectors::camera_words(camera);
   return {.body = json.dump()};
 }

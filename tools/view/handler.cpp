@@ -5,9 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
 #include "view/assets.hpp"
-#include "view/query.hpp"
 #include "view/stream_facts.hpp"
 
 namespace hmlfc::view {
@@ -72,15 +70,17 @@ Response Handler::answer(const Request& request) {
 }
 
 Response Handler::answer_page(std::string_view path, const Request& request) {
-  if (path == "opened" || path == "closed") {
+  if (path == "arrived") {
     if (request.method != "POST") return refusal(405, "POST alone");
-    return note_page(path, request.query);
+    pages_.arrived(std::chrono::steady_clock::now());
+    return {.body = "{}"};
   }
   if (request.method != "GET" && request.method != "HEAD") return refusal(405, "GET alone");
   return answer_get(path, request.query);
 }
 
 Response Handler::answer_get(std::string_view path, const Query& query) {
+  if (path == "open") return {.open = pages_.opened()};
   if (path == "frame") return frames_.frame(query);
   if (path == "frame.png") return frames_.png(query);
   if (path == "focus") return frames_.focus(query);
@@ -117,20 +117,6 @@ Response Handler::answer_other(std::string_view path, const Query& query) {
   if (path == "dut-blocks") return other_->blocks(query);
   if (path == "dut-block") return other_->block(query);
   return refusal(404, "No such address");
-}
-
-Response Handler::note_page(std::string_view path, const Query& query) {
-  uint32_t id = 0;
-  read_query(query, [&id](CLI::App& app) {
-    cli::add_integer(app, "--page", id, 0, UINT32_MAX, "")->required();
-  });
-  const auto now = std::chrono::steady_clock::now();
-  if (path == "opened") {
-    pages_.opened(id, now);
-  } else {
-    pages_.closed(id, now);
-  }
-  return json_answer(Json::object());
 }
 
 }  // namespace hmlfc::view

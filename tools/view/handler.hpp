@@ -32,14 +32,13 @@ class Handler {
   /// For tests: waits until nothing is decoded ahead any more.
   void finish_ahead() { frames_.finish_ahead(); }
 
-  /// The pages that have said that they are open.
+  /// The pages that are open: they hold the answer to "open".
   Pages& pages() { return pages_; }
 
  private:
   Response answer_page(std::string_view path, const Request& request);
   Response answer_get(std::string_view path, const Query& query);
   Response answer_other(std::string_view path, const Query& query);
-  Response note_page(std::string_view path, const Query& query);
 
   Site site_;
   OpenStream& stream_;

@@ -164,10 +164,10 @@ tl::expected<std::optional<HttpRequest>, Response> take_request(std::string& rec
 
 std::string response_bytes(Response response, bool is_head, bool keep) {
   // The reason stands in the body.
-  std::string head =
-      fmt::format("HTTP/1.1 {} {}\r\nContent-Length: {}\r\nContent-Type: {}\r\nConnection: {}\r\n",
-                  response.status, response.status == 200 ? "OK" : "Refused", response.body.size(),
-                  response.type, keep ? "keep-alive" : "close");
+  std::string head = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nConnection: {}\r\n",
+                                 response.status, response.status == 200 ? "OK" : "Refused",
+                                 response.type, keep && !response.open ? "keep-alive" : "close");
+  if (!response.open) head += fmt::format("Content-Length: {}\r\n", response.body.size());
   for (const auto& [name, value] : response.headers) {
     head += fmt::format("{}: {}\r\n", name, value);
   }

@@ -26,7 +26,8 @@ struct HttpRequest {
 /// or 431 (more than the limits above, known as soon as that much has come).
 tl::expected<std::optional<HttpRequest>, Response> take_request(std::string& received);
 
-/// `response` as it goes over a connection, without its body for method HEAD.
+/// `response` as it goes over a connection, without its body for method HEAD. A length
+/// only where it has an end.
 std::string response_bytes(Response response, bool is_head, bool keep);
 
 }  // namespace hmlfc::view

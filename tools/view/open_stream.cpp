@@ -20,7 +20,8 @@ OpenStream::OpenStream(const std::filesystem::path& file, const std::filesystem:
   if (original_->shape() == shape) return;
   throw Failure(ExitCode::kInput, "--original: " + original.string() + " has " +
                                       cli::describe(original_->shape()) + ", but " + file.string() +
-                                      " has " + cli::describe(shape));
+                                      " has " + cli::describe(shape) +
+                                      "; it takes a folder or a stream of the same views");
 }
 
 OpenStream::OpenStream(const std::filesystem::path& name, std::span<const uint8_t> bytes)

@@ -1,41 +1,37 @@
 #include "view/pages.hpp"
 
-#include <algorithm>
-
 namespace hmlfc::view {
 
 void Pages::sent(Time now) {
   const std::lock_guard lock(mutex_);
-  coming_.push_back(now);
-  if (coming_.size() > kMost) coming_.pop_front();
+  ++coming_;
+  last_sent_ = now;
 }
 
-void Pages::opened(uint32_t id, Time now) {
+void Pages::arrived(Time now) {
   const std::lock_guard lock(mutex_);
-  if (std::ranges::find(gone_, id) != gone_.end()) return;
-  if (!heard_.contains(id)) {
-    if (heard_.size() >= kMost) return;
-    if (!coming_.empty()) coming_.pop_front();
+  if (coming_ > 0) --coming_;
+  any_ = true;
+  last_seen_ = now;
+}
+
+std::shared_ptr<const void> Pages::opened() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++open_;
   }
-  heard_[id] = now;
-  any_ = true;
-}
-
-void Pages::closed(uint32_t id, Time now) {
-  const std::lock_guard lock(mutex_);
-  heard_.erase(id);
-  any_ = true;
-  last_closed_ = now;
-  gone_.push_back(id);
-  if (gone_.size() > kMost) gone_.pop_front();
+  return {this, [this](const void*) {
+            const std::lock_guard lock(mutex_);
+            --open_;
+            any_ = true;
+            last_seen_ = Clock::now();
+          }};
 }
 
 bool Pages::all_closed(Time now) {
   const std::lock_guard lock(mutex_);
-  const auto silent = [now](const auto& page) { return now - page.second > kSilence; };
-  if (std::erase_if(heard_, silent) > 0) last_closed_ = now;
-  std::erase_if(coming_, [now](Time sent) { return now - sent > kSilence; });
-  return any_ && heard_.empty() && coming_.empty() && now - last_closed_ >= kReload;
+  if (now - last_sent_ > kSilence) coming_ = 0;
+  return any_ && open_ == 0 && coming_ == 0 && now - last_seen_ >= kReload;
 }
 
 }  // namespace hmlfc::view

@@ -1,7 +1,8 @@
 #include "view/plane_request.hpp"
 
+#include <fmt/format.h>
+
 #include "io/pictures.hpp"
-#include "view/pixels.hpp"
 #include "view/query.hpp"
 
 namespace hmlfc::view {
@@ -26,6 +27,18 @@ int stop_level(const cli::StreamFile& file, const PlaneRequest& request) {
 RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request) {
   const int level = stop_level(file, request);
   return file.value(file.decoder().decode_view(*request.view, level));
+}
+
+Response picture_answer(const RgbImage& image) {
+  const int shift = image.depth - 8;
+  std::string bytes(4 * size_t{image.width} * image.height, '\xff');
+  const uint16_t* in = image.samples.data();
+  for (char* out = bytes.data(); out != bytes.data() + bytes.size(); out += 4, in += 3) {
+    for (size_t k = 0; k < 3; ++k) out[k] = static_cast<char>(in[k] >> shift);
+  }
+  return {.type = "application/octet-stream",
+          .body = std::move(bytes),
+          .headers = {{"Picture-Size", fmt::format("{},{}", image.width, image.height)}}};
 }
 
 Response other_picture(const cli::StreamFile& file, const Query& query, bool difference,

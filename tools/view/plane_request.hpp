@@ -1,4 +1,4 @@
-// A plane of a view that a query asks for, or a view alone.
+// A plane of a view that a query asks for, or a view alone, and its picture.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +28,10 @@ int stop_level(const cli::StreamFile& file, const PlaneRequest& request);
 
 /// The view in RGB, down to its stop level. Failures: those of stop_level(), a corrupt stream.
 RgbImage decoded(const cli::StreamFile& file, const PlaneRequest& request);
+
+/// An answer with four bytes a pixel, as a canvas takes them: R, G, B and 255, row by row, the
+/// upper 8 bits of each sample. The header Picture-Size has "width,height".
+Response picture_answer(const RgbImage& image);
 
 /// The view of `other` in RGB or, with `difference`, 128 + gain * (it - decoded); `gain` in
 /// [1, 64], 4 by default.

@@ -188,8 +188,10 @@ class Publication {
     write_text(folder / name, view::find_asset(name)->content);
   }
 
-  RgbImage frame(FrameRenderer& renderer, Camera camera, uint32_t side) {
+  // `part`: of the greatest field of view that a view fills.
+  RgbImage frame(FrameRenderer& renderer, Camera camera, uint32_t side, double part = 1) {
     set_size(camera, file_.header(), side);
+    camera.tan_half = part * *with_defaults(camera, file_.header()).tan_half;
     const auto record = frame_record(camera, file_.header());
     if (!record) throw Failure(ExitCode::kUsage, record.error().message);
     Frame drawn;
@@ -229,13 +231,20 @@ class Publication {
     CameraOptions loop = options_.cameras;
     loop.path = "orbit";
     loop.frames = kLoopFrames;
+    loop.camera.position.reset();  // in the view plane
     const auto [least, most] = scene_.value_or(std::array{camera_.focus, camera_.focus});
+    // Between views the nearest one is up to half a step away, and what is in focus lies beside its
+    // picture by half the disparity (RAY-5): so much stays out of sight, in place of black edges.
+    const double step = std::max(std::abs(least), std::abs(most)) *
+                        std::max(1.0, std::abs(*with_defaults(camera_, file_.header()).row_pitch));
+    const double part =
+        std::max(0.5, 1 - step / std::min(file_.header().width, file_.header().height));
     std::vector<RgbImage> frames;
     terminal::ProgressBar progress("Rendering", "frames");
     for (Camera camera : cameras_of(loop, file_).cameras) {
       const double angle = 2 * std::numbers::pi * static_cast<double>(frames.size()) / kLoopFrames;
       camera.focus = least + (most - least) * (1 + std::cos(angle)) / 2;
-      frames.push_back(frame(*renderer, camera, kLoopSide));
+      frames.push_back(frame(*renderer, camera, kLoopSide, part));
       progress.update(frames.size(), kLoopFrames);
     }
     progress.clear();

@@ -131,7 +131,7 @@ void Server::work(Connection& connection, Time now) try {
   auto request = connection.work(now);
   if (!request) return;
   std::list<Exchange> exchange;
-  exchange.push_back({&connection, std::move(*request), {}});
+  exchange.push_back({&connection, std::move(*request), {}, {}});
   {
     const std::lock_guard lock(mutex_);
     asked_.splice(asked_.end(), exchange);
@@ -149,7 +149,9 @@ void Server::take_answers(Time now) {
     const std::lock_guard lock(mutex_);
     answered.swap(answered_);
   }
-  for (Exchange& exchange : answered) exchange.connection->answer(std::move(exchange.answer), now);
+  for (Exchange& exchange : answered) {
+    exchange.connection->answer(std::move(exchange.answer), now, std::move(exchange.open));
+  }
 }
 
 void Server::accept(Time now) {
@@ -171,7 +173,8 @@ void Server::accept(Time now) {
 std::list<Connection>::iterator Server::longest_waiting() {
   auto found = connections_.end();
   for (auto at = connections_.begin(); at != connections_.end(); ++at) {
-    if (at->phase() == Connection::Phase::kAnswering) continue;
+    using enum Connection::Phase;
+    if (at->phase() == kAnswering || at->phase() == kOpen) continue;
     if (found == connections_.end() || at->since() < found->since()) found = at;
   }
   return found;
@@ -191,7 +194,7 @@ void Server::work_out() {
       if (ends_) return;
       own.splice(own.end(), asked_, asked_.begin());
     }
-    own.front().answer = answer_to(own.front().request);
+    answer(own.front());
     {
       const std::lock_guard lock(mutex_);
       answered_.splice(answered_.end(), own);
@@ -200,10 +203,13 @@ void Server::work_out() {
   }
 }
 
-std::string Server::answer_to(const HttpRequest& http) try {
-  return response_bytes(handler_.answer(http.request), http.request.method == "HEAD", http.keep);
+void Server::answer(Exchange& exchange) try {
+  const auto& [request, keep] = exchange.request;
+  Response response = handler_.answer(request);
+  exchange.open = response.open;
+  exchange.answer = response_bytes(std::move(response), request.method == "HEAD", keep);
 } catch (const std::bad_alloc&) {
-  return {};
+  exchange.answer = {};
 }
 
 }  // namespace hmlfc::view

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -51,7 +52,8 @@ class Server {
   struct Exchange {
     Connection* connection = nullptr;  // stays where it is until it has its answer
     HttpRequest request;
-    std::string answer;  // empty for want of memory
+    std::string answer;                // empty for want of memory
+    std::shared_ptr<const void> open;  // as in Response
   };
 
   void serve();
@@ -62,7 +64,7 @@ class Server {
   std::list<Connection>::iterator longest_waiting();
   void make_room();
   void work_out();
-  std::string answer_to(const HttpRequest& http);
+  void answer(Exchange& exchange);
   void wake() const;
   void end();
 

@@ -61,16 +61,15 @@ export async function askSamples(path, query) {
   return new Int16Array(await (await ask(path, query)).arrayBuffer());
 }
 
-/** Tells the server that this page is open, again and again, and when it closes: no beacon, of which Firefox hides the origin. */
-export function announcePage() {
-  const query = { page: 0 };
-  const tell = (/** @type {string} */ what) => void fetch(address(what, query), { method: "POST", keepalive: true }).catch(() => {});
-  const arrive = () => {
-    query.page = crypto.getRandomValues(new Uint32Array(1))[0];
-    tell("opened");
-  };
-  arrive();
-  setInterval(() => tell("opened"), 10000);
-  addEventListener("pageshow", (event) => event.persisted && arrive());
-  addEventListener("pagehide", () => tell("closed"));
+/**
+ * Tells the server that this page is there, and then holds an answer that has no end, as a sign that pages are open.
+ * Firefox drops what a page sends when it closes. One page of a browser holds it, since that opens six connections alone.
+ */
+export async function announcePage() {
+  await fetch("arrived", { method: "POST" }).catch(() => {});
+  await navigator.locks.request("open", async () => {
+    for (;;) {
+      await askText("open").catch(() => new Promise((next) => setTimeout(next, 10000)));
+    }
+  });
 }

@@ -119,6 +119,7 @@ function blockSection(name, answer, visit, other) {
   const { view, plane, block, levels: { length }, cost } = answer.report;
   const section = make("section", {},
     make("h2", {}, `${name}Block x ${block[0]}, y ${block[1]} of plane ${plane} of view row ${view.row}, column ${view.col}`));
+  if (name && !other) section.append(make("p", { class: "help" }, "Of another size than the block beside it, so that nothing is compared"));
   if (answer.error) section.append(make("p", { class: "error" }, answer.error));
   section.append(...levelsOf(answer).map((level, at) =>
     levelSection(level, visit, at === length - 1, other && levelsOf(other).find((one) => one.level === level.level))));
@@ -130,9 +131,11 @@ function blockSection(name, answer, visit, other) {
 /**
  * @param {any} answer of the server, or null for no block
  * @param {Visit} visit called for a reference image of level 0
- * @param {any} other the block of the stream beside it, or null; what differs is marked @param {string[]} names of both streams
+ * @param {any} other the block of the stream beside it, or null @param {string[]} names of both streams
+ * @param {boolean} same both blocks have the same pixels, and what differs is marked
  */
-export function showBlock(answer, visit, other, names) {
-  const pair = other ? [[`${names[0]}: `, answer, other], [`${names[1]}: `, other, answer]] : answer ? [["", answer, null]] : [];
+export function showBlock(answer, visit, other, names, same) {
+  const [right, left] = same ? [other, answer] : [null, null];
+  const pair = other ? [[`${names[0]}: `, answer, right], [`${names[1]}: `, other, left]] : answer ? [["", answer, null]] : [];
   any("block").replaceChildren(...pair.map(([name, one, beside]) => blockSection(name, one, visit, beside)));
 }

@@ -1,5 +1,5 @@
 // <script type="module" src="SITE/embed.js"></script> and <light-field src="SITE/"></light-field>: the page in another.
-customElements.define("light-field", class extends HTMLElement {
+if (!customElements.get("light-field")) customElements.define("light-field", class extends HTMLElement {
   connectedCallback() {
     const frame = document.createElement("iframe");
     frame.src = new URL("index.html", new URL(this.getAttribute("src") ?? "./", document.baseURI)).href;

@@ -9,6 +9,7 @@
  */
 
 const STILL = 4; // pixels that a click may move
+const EMBEDDED = window !== top;
 
 /** @param {HTMLElement} target @param {Gestures} gestures */
 export function listen(target, gestures) {
@@ -22,6 +23,7 @@ export function listen(target, gestures) {
     return Math.hypot(a.x - b.x, a.y - b.y);
   };
 
+  if (EMBEDDED) target.style.touchAction = "pan-y"; // fingers scroll the page around it
   target.addEventListener("contextmenu", (event) => event.preventDefault());
   target.addEventListener("pointerdown", (event) => {
     target.setPointerCapture(event.pointerId);
@@ -39,12 +41,7 @@ export function listen(target, gestures) {
     travelled += Math.hypot(dx, dy);
     if (travelled <= STILL) return;
     const box = target.getBoundingClientRect();
-    const parts = [dx / box.width / fingers.size, dy / box.height / fingers.size];
-    if (turning) {
-      gestures.turn(parts[0], parts[1]);
-    } else {
-      gestures.move(parts[0], parts[1]);
-    }
+    gestures[turning ? "turn" : "move"](dx / box.width / fingers.size, dy / box.height / fingers.size);
     if (fingers.size === 2) gestures.advance(((spread() - before) / box.width) * 10);
   });
 
@@ -59,6 +56,7 @@ export function listen(target, gestures) {
   target.addEventListener("pointercancel", lift);
 
   target.addEventListener("wheel", (event) => {
+    if (EMBEDDED && !document.hasFocus()) return; // the wheel, too, until somebody has clicked here
     event.preventDefault();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY : event.deltaY / 40;
     gestures.advance(Math.max(-5, Math.min(5, -lines)));

@@ -161,10 +161,11 @@ export class Into {
     void this.show();
   }
 
-  /** @returns {Query} */
-  view() {
+  /** @returns {Query} with no more levels than `stream` has */
+  view(stream = this.stream) {
     const query = { view: `${this.place.row},${this.place.col}` };
-    return this.place.levels === this.all ? query : { ...query, levels: this.place.levels };
+    const all = this.place.levels === this.all || this.place.levels > stream.tree_height;
+    return all ? query : { ...query, levels: this.place.levels };
   }
 
   /** @returns {Query} */
@@ -191,20 +192,22 @@ export class Into {
       const rgb = await pictures.rgb("picture", view).catch(() => null);
       const stage = rgb === null && place.stage === "picture" ? "sample" : place.stage;
       const shown = await pictures.stage(stage, plane, blocks);
-      const twin = place.beside === "twin" ? await pictures.once("twin-blocks", plane, (query) => askJson("twin-blocks", query)) : null;
+      const twinPlane = { ...this.view(this.stream.twin), plane: place.plane };
+      const twin = place.beside === "twin" ? await pictures.once("twin-blocks", twinPlane, (query) => askJson("twin-blocks", query)) : null;
       const second = twin ? `twin-${/original|difference|dut/.test(stage) ? "picture" : stage}` : place.beside;
-      const beside = second === "none" ? null : await pictures.stage(second, plane, twin ?? blocks);
+      const beside = second === "none" ? null : await pictures.stage(second, twin ? twinPlane : plane, twin ?? blocks);
       const block = place.block && place.block[0] < blocks.columns && place.block[1] < blocks.rows ? place.block : null;
       const query = { ...plane, block: block?.join(",") ?? "" };
       const answer = block && (await pictures.once("block", query, (asked) => askJson("block", asked)));
       const pixels = (/** @type {any} */ stream, /** @type {any} */ { width }) => stream.block * Math.round(stream.width / width);
-      const there = block && twin && block.map((at) => Math.floor((at * pixels(this.stream, blocks)) / pixels(this.stream.twin, twin)));
-      const other = there && (await pictures.once("twin-block", { ...query, block: there.join(",") }, (asked) => askJson("twin-block", asked)));
+      const [side, twinSide] = twin ? [pixels(this.stream, blocks), pixels(this.stream.twin, twin)] : [1, 1];
+      const there = block && twin && block.map((at) => Math.floor((at * side) / twinSide));
+      const other = there && (await pictures.once("twin-block", { ...twinPlane, block: there.join(",") }, (asked) => askJson("twin-block", asked)));
       if (number !== this.number) return;
       this.blocks = blocks;
       this.samples = shown.samples;
       this.draw(shown, beside, rgb, blocks, block, twin, there);
-      showBlock(answer, (row, col) => this.change({ row, col }), other, [this.stream, this.stream.twin].map((one) => one?.file));
+      showBlock(answer, (row, col) => this.change({ row, col }), other, [this.stream, this.stream.twin].map((one) => one?.file), side === twinSide);
       say("into-error", "");
       if (answer && this.stream.dut) await this.showOther(number, query, answer);
     } catch (error) {

@@ -31,7 +31,7 @@ function describe(stream) {
 }
 
 async function begin() {
-  announcePage();
+  void announcePage();
   const stream = await askJson("stream");
   describe(stream);
   if (stream.error) return;

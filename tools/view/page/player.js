@@ -43,6 +43,8 @@ function fail(error) {
 }
 
 async function begin() {
+  say("notice", "");
+  any("notice").classList.remove("late");
   const device = await openDevice().catch(() => null);
   if (!device) return record(NO_WEBGPU);
   const slow = setTimeout(() => say("notice", "Loading…"), SLOW);
