@@ -21,9 +21,9 @@ LIMITS = {
     "testbench/": 10260,
     "bench/": 4000,
     "rtl/formal/": 2500,
-    "tools/": 40875,
+    "tools/": 40893,
     "model/": 24333,
-    "": 154785,
+    "": 154560,
 }
 
 
