@@ -3,7 +3,6 @@
 // Tops: hmlfc_decode_unit, hmlfc_view_unit.
 //
 //   verilator waivers.vlt -F hmlfc_decode_unit.f
-//   iverilog -g2012 -c hmlfc_decode_unit.f            in this folder
 //
 // The builds of this project read this list, and a test compares it with the folders.
 //

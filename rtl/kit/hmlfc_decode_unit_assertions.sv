@@ -5,7 +5,7 @@
 module hmlfc_decode_unit_assertions #(
     parameter int BLOCK_LOG2 = 2,
     parameter int AXI_DATA_BITS = 128,
-    parameter int OUTSTANDING = 32,
+    parameter int OUTSTANDING = 64,
     localparam int ADDRESS_BITS = hmlfc_pkg::ADDRESS_BITS,
     localparam int SAMPLES = 1 << (2 * BLOCK_LOG2)
 ) (

@@ -15,7 +15,7 @@
 // error_valid           an answer with the error `error` to the request `error_request` was given
 //                       in this clock: the first since CLEAR is kept
 // block_done, in_flight, stalled, read_bytes, answered   what the counters add in this clock:
-//                       BLOCKS, CYCLES, STALLS, BYTES_READ ([0, 16] bytes), REQUESTS
+//                       BLOCKS, CYCLES, STALLS, BYTES_READ ([0, 32] bytes), REQUESTS
 // CLEAR zeroes the counters and the first error; an event in its clock is not counted.
 module hmlfc_registers #(
     parameter int BLOCK_LOG2 = 2,

@@ -5,8 +5,8 @@
 // has for it: its residual and vector, its motion, or the disparity of its grid block.
 //
 // A block asks for its tile first (`ask`) and comes back later, with others in between (`in_*`); the time between hides
-// the walk through the index. hmlfc_tile_fetch brings the records of what is asked for. Where blocks take one clock, two
-// parsers take the residual tiles of even and of odd contexts.
+// the walk through the index. hmlfc_tile_fetch brings the records of what is asked for. Where blocks take one clock, and
+// with more than two contexts, two parsers take the residual tiles of even and of odd contexts.
 module hmlfc_tile_store #(
     parameter int KIND = hmlfc_pkg::RESIDUAL_TILES,  // or MOTION_TILES, DISPARITY_TILES
     parameter int BLOCK_LOG2 = 2,

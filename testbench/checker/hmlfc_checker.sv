@@ -50,12 +50,6 @@ module hmlfc_checker #(
     input logic [SAMPLES*16-1:0] stage_sample
 );
 
-`ifdef __ICARUS__
-  `define HMLFC_CHECKER_CALL(function_name) $hmlfc_checker_``function_name
-  `define HMLFC_CHECKER_PRINT $hmlfc_checker_print(id);
-`else
-  `define HMLFC_CHECKER_CALL(function_name) hmlfc_checker_``function_name
-  `define HMLFC_CHECKER_PRINT $write("%s", hmlfc_checker_text(id));
   import "DPI-C" function int hmlfc_checker_open(input string stream, input string device, input int block_log2);
   import "DPI-C" function string hmlfc_checker_text(input int id);
   import "DPI-C" function int hmlfc_checker_request(input int id, input longint clocks, input int row, input int col,
@@ -68,8 +62,6 @@ module hmlfc_checker #(
   import "DPI-C" function int hmlfc_checker_unknown(input int id, input longint clocks, input string where);
   import "DPI-C" function void hmlfc_checker_reset(input int id, input longint clocks);
   import "DPI-C" function int hmlfc_checker_end(input int id, input longint clocks, input int complete);
-`endif
-
   int id;  // of the checker behind the interface; 0: nothing is checked
   longint clocks;  // rising edges so far
   longint wave_first, wave_last;
@@ -79,12 +71,12 @@ module hmlfc_checker #(
   // Prints a difference; the first one ends the simulation.
   function automatic void on_differences(input int count);
     if (count != 0) begin
-      `HMLFC_CHECKER_PRINT
+      $write("%s", hmlfc_checker_text(id));
       $display("  in         %s at time %0t", scope, $time);
       // Nested: Verilator 5.006 calls functions of the right side of && in any case.
       if (!go_on && !waves) begin
-        if (`HMLFC_CHECKER_CALL(end)(id, clocks, 0) != 0) begin
-          `HMLFC_CHECKER_PRINT
+        if (hmlfc_checker_end(id, clocks, 0) != 0) begin
+          $write("%s", hmlfc_checker_text(id));
           $fatal(1, "hmlfc_checker: not equal to the golden model");
         end
       end
@@ -103,8 +95,8 @@ module hmlfc_checker #(
     if ($value$plusargs("hmlfc_checker_device=%s", device_file) == 0) device_file = "";
     if (waves) $dumpfile(wave_file);  // here: beside $dumpvars, version 5.006 of Verilator swaps them
     if (!OPTIONAL || stream_file != "") begin
-      id = `HMLFC_CHECKER_CALL(open)(stream_file, device_file, BLOCK_LOG2);
-      `HMLFC_CHECKER_PRINT
+      id = hmlfc_checker_open(stream_file, device_file, BLOCK_LOG2);
+      $write("%s", hmlfc_checker_text(id));
       if (id == 0) $fatal(1, "hmlfc_checker: nothing can be checked");
     end
   end
@@ -126,20 +118,20 @@ module hmlfc_checker #(
   task automatic check;
     if (waves && clocks == wave_first) $dumpvars;
     if (rst_n !== 1'b1) begin
-      `HMLFC_CHECKER_CALL(reset)(id, clocks);
+      hmlfc_checker_reset(id, clocks);
     end else begin
-      if (unknown_request) on_differences(`HMLFC_CHECKER_CALL(unknown)(id, clocks, "request"));
-      if (unknown_answer) on_differences(`HMLFC_CHECKER_CALL(unknown)(id, clocks, "answer"));
-      if (unknown_stage) on_differences(`HMLFC_CHECKER_CALL(unknown)(id, clocks, "stage"));
+      if (unknown_request) on_differences(hmlfc_checker_unknown(id, clocks, "request"));
+      if (unknown_answer) on_differences(hmlfc_checker_unknown(id, clocks, "answer"));
+      if (unknown_stage) on_differences(hmlfc_checker_unknown(id, clocks, "stage"));
       if (request_valid && request_ready)
-        on_differences(`HMLFC_CHECKER_CALL(request)(id, clocks, 32'(request_row), 32'(request_col), 32'(request_plane),
+        on_differences(hmlfc_checker_request(id, clocks, 32'(request_row), 32'(request_col), 32'(request_plane),
             32'(request_block_x), 32'(request_block_y), 32'(request_stop_level), 32'(request_tag)));
       if (stage_valid)
-        on_differences(`HMLFC_CHECKER_CALL(stage)(id, clocks, 32'(stage_row), 32'(stage_col), 32'(stage_plane),
+        on_differences(hmlfc_checker_stage(id, clocks, 32'(stage_row), 32'(stage_col), 32'(stage_plane),
             32'(stage_block_x), 32'(stage_block_y), 32'(stage_level), 32'(stage_error), 32'(stage_shown),
             {1024'(stage_sample), 1024'(stage_prediction), 1024'(stage_reference), 1024'(stage_residual)}));
       if (answer_valid && answer_ready)
-        on_differences(`HMLFC_CHECKER_CALL(answer)(id, clocks, 32'(answer_tag), 32'(answer_status),
+        on_differences(hmlfc_checker_answer(id, clocks, 32'(answer_tag), 32'(answer_status),
             3072'(answer_samples)));
     end
     if (waves && clocks == wave_last) $finish;
@@ -147,15 +139,13 @@ module hmlfc_checker #(
 
   final begin
     if (id != 0) begin
-      if (`HMLFC_CHECKER_CALL(end)(id, clocks, waves ? 0 : 1) == 0) begin
-        `HMLFC_CHECKER_PRINT
+      if (hmlfc_checker_end(id, clocks, waves ? 0 : 1) == 0) begin
+        $write("%s", hmlfc_checker_text(id));
       end else begin
-        `HMLFC_CHECKER_PRINT
+        $write("%s", hmlfc_checker_text(id));
         $fatal(1, "hmlfc_checker: not equal to the golden model");
       end
     end
   end
 
-`undef HMLFC_CHECKER_CALL
-`undef HMLFC_CHECKER_PRINT
 endmodule

@@ -40,15 +40,9 @@ module stand_in_decoder #(
     output logic [SAMPLES*16-1:0] stage_sample
 );
 
-`ifdef __ICARUS__
-  `define HMLFC_CHECKER_CALL(function_name) $hmlfc_checker_``function_name
-`else
-  `define HMLFC_CHECKER_CALL(function_name) hmlfc_checker_``function_name
   import "DPI-C" function int hmlfc_checker_open(input string stream, input string device, input int block_log2);
   import "DPI-C" function int hmlfc_checker_expected(input int id, input int row, input int col, input int plane,
       input int block_x, input int block_y, input int stop_level, output logic [3071:0] samples);
-`endif
-
   // The variables of this behavioural model, which no other process reads.
   /* verilator lint_off BLKSEQ */
   /* verilator lint_off UNUSEDSIGNAL */  // blocks of 8 fill `samples`
@@ -65,7 +59,7 @@ module stand_in_decoder #(
     if ($value$plusargs("fault_at=%d", fault_at) == 0) fault_at = 5;
     if ($value$plusargs("hmlfc_checker_stream=%s", stream_file) == 0) stream_file = "";
     if ($value$plusargs("hmlfc_checker_device=%s", device_file) == 0) device_file = "";
-    model = `HMLFC_CHECKER_CALL(open)(stream_file, device_file, BLOCK_LOG2);  // 0 ends hmlfc_checker too
+    model = hmlfc_checker_open(stream_file, device_file, BLOCK_LOG2);  // 0 ends hmlfc_checker too
   end
 
   // Whether the fault `name` is due.
@@ -85,7 +79,7 @@ module stand_in_decoder #(
     r = waiting[number];
     for (int i = number; i < DEPTH - 1; i++) waiting[i] = waiting[i+1];
     count = count - 1;
-    status = `HMLFC_CHECKER_CALL(expected)(model, 32'(r[11:0]), 32'(r[23:12]), 32'(r[25:24]), 32'(r[40:26]), 32'(r[55:41]),
+    status = hmlfc_checker_expected(model, 32'(r[11:0]), 32'(r[23:12]), 32'(r[25:24]), 32'(r[40:26]), 32'(r[55:41]),
         32'(r[59:56]), samples);
     {stage_block_y, stage_block_x, stage_plane, stage_col, stage_row} <= r[55:0];
     stage_valid <= status == 0 && r[25:24] != 3 && r[59:56] == 0;
@@ -130,5 +124,4 @@ module stand_in_decoder #(
 
   always @(posedge clk) run_clock();
 
-`undef HMLFC_CHECKER_CALL
 endmodule
