@@ -30,6 +30,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSign = "hmlfc publish";
+// The page until all is written: with the sign, for another run after an interrupted one.
+constexpr std::string_view kUnfinished =
+    "<!doctype html><!-- hmlfc publish --><p>Not yet published.\n";
 constexpr std::string_view kStream = "light-field.hmlfc";
 constexpr unsigned kLoopRate = 10;  // frames per second
 constexpr int kLoopFrames = 30;
@@ -111,11 +114,7 @@ class Publication {
       throw Failure(ExitCode::kUsage, options.file.string() + ": publish a file, not an address");
     }
     if (file_.size() > kMostBytes) {
-      throw Failure(
-          ExitCode::kUsage,
-          options.file.string() +
-              ": has more than the 2 GiB that a browser takes: encode it with fewer --views "
-              "or a lower --quality");
+      throw Failure(ExitCode::kUsage, options.file.string() + ": browsers take 2 GiB at most");
     }
     // The reference view of the middle: no view takes fewer bytes.
     const StreamHeader& header = file_.header();
@@ -128,12 +127,17 @@ class Publication {
     if (!cameras.aperture) cameras.aperture = kAperture;
     read_disparities(*cameras.camera.position);
     camera_ = cameras_of(cameras, file_).cameras.front();
+    if (const WorldPoint& at = *camera_.position;
+        at.u < 0 || at.v < 0 || at.u > header.cols - 1 || at.v > header.rows - 1) {
+      throw Failure(ExitCode::kUsage, "--camera: it stands beside the views");
+    }
   }
 
   void write() {
     const fs::path app = options_.output / "app";
     const auto kernels = kernel_files();
     prepare(app, kernels);
+    write_text(options_.output / "index.html", kUnfinished);
     for (const fs::path& file : kernels) copy(file, app / file.filename());
     for (const std::string_view name : kPageFiles) write_asset(name, app);
     write_asset("embed.js", options_.output);

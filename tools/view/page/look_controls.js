@@ -98,8 +98,10 @@ export function control(view, takes = () => false) {
   addEventListener("keydown", (event) => {
     const { ctrlKey, altKey, metaKey, shiftKey, key, target } = event;
     if (ctrlKey || altKey || metaKey || any("look").hidden || !(target instanceof Element)) return;
-    if (target.closest("input, select, aside, dialog") || (key === " " && target instanceof HTMLButtonElement)) return;
-    if (press(view, key, shiftKey)) event.preventDefault();
+    const letter = key.length === 1; // of which sliders take none
+    const typing = letter && target.matches("input[type=range]") ? false : target.closest("input, select, aside, dialog");
+    if (typing || (key === " " && target instanceof HTMLButtonElement)) return;
+    if (press(view, letter ? key.toLowerCase() : key, shiftKey)) event.preventDefault();
   });
   prepareTilt(view);
   view.changed = () => show(view);
