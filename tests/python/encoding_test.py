@@ -117,9 +117,8 @@ class EncodingTest(CliTest):
 
     def test_a_daemon_thread_ends_with_python(self):
         program = f"""
-import sys, threading, time
-sys.path[:0] = {sys.path[:3]}
-import hmlfc
+import sys; sys.path[:0] = {sys.path[:3]}
+import hmlfc, threading, time
 views = hmlfc.read_views("views")
 threading.Thread(target=lambda: [hmlfc.encode(views) for _ in iter(int, 1)], daemon=True).start()
 time.sleep(0.3)"""

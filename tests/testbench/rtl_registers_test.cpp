@@ -63,19 +63,15 @@ TEST(Registers, OtherWordsReadZeroAndIgnoreWrites) {
 
 // The high word that goes with a low word is read after it, whatever happens between.
 TEST(Registers, LowWordKeepsItsHighWord) {
-  Bench& bench = test_bench();
-  const UnitMaker maker = rtl_units().front();
-  const auto bytes = suite_stream(0, maker.parameters.block_size());
-  StreamImage image(bytes, maker.parameters);
-  bench.attach(maker.make(maker.parameters, nullptr));
-  image.load_into(bench);
-  const Request missing{4000, 3, 0, 1 << 14, kRgb, 0, true};  // with bits in both words
-  bench.run(listed_requests({missing}), image.oracle(), {}, 1);
-  EXPECT_EQ(bench.read(HMLFC_REG_ERROR_ADDRESS), static_cast<uint32_t>(missing.word()));
-  bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_CLEAR_MASK);
-  EXPECT_EQ(bench.read(HMLFC_REG_ERROR_ADDRESS_HIGH), missing.word() >> 32) << "of the word read";
-  EXPECT_EQ(bench.read(HMLFC_REG_ERROR_ADDRESS_HIGH), 0u) << "kept for one read";
-  EXPECT_FALSE(bench.findings().first());
+  for_each_unit([](Bench& bench, StreamImage& image) {
+    image.load_into(bench);
+    const Request missing{4000, 3, 0, 1 << 14, kRgb, 0, true};  // with bits in both words
+    bench.run(listed_requests({missing}), image.oracle(), {}, 1);
+    EXPECT_EQ(bench.read(HMLFC_REG_ERROR_ADDRESS), static_cast<uint32_t>(missing.word()));
+    bench.write(HMLFC_REG_CONTROL, HMLFC_REG_CONTROL_CLEAR_MASK);
+    EXPECT_EQ(bench.read(HMLFC_REG_ERROR_ADDRESS_HIGH), missing.word() >> 32) << "of the word read";
+    EXPECT_EQ(bench.read(HMLFC_REG_ERROR_ADDRESS_HIGH), 0u) << "kept for one read";
+  });
 }
 
 uint32_t status_after_load(Bench& bench) {

@@ -52,6 +52,7 @@ TEST(ViewGuard, TokensDiffer) {
   std::set<std::string> tokens;
   for (int i = 0; i < 100; ++i) tokens.insert(random_token());
   EXPECT_EQ(tokens.size(), 100u);
+  EXPECT_EQ(tokens.begin()->size(), 32u);
 }
 
 // Times from now on, since what ends takes its own.

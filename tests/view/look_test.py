@@ -172,6 +172,7 @@ class Look(PageCase):
         query = self.browser.frame()
         self.render(query)
         href = self.browser.element("save").get_attribute("href")
+        self.assertEqual(self.browser.element("save").get_attribute("download"), "frame.png")
         saved = urllib.request.urlopen(href).read()
         self.assertEqual(without_sign(saved), without_sign((self.folder / "frame.png").read_bytes()))
 
