@@ -110,11 +110,11 @@ class Publication {
  public:
   explicit Publication(const PublishOptions& options)
       : options_(options), modules_(browser_folder()), file_(options.file) {
-    if (file_.is_remote()) {
-      throw Failure(ExitCode::kUsage, options.file.string() + ": publish a file, not an address");
-    }
+    const std::string name = options.file.string();
+    const auto refuse = [&](const char* why) { throw Failure(ExitCode::kUsage, name + why); };
+    if (file_.is_remote()) refuse(": publish a file, not an address");
     if (file_.size() > kMostBytes) {
-      throw Failure(ExitCode::kUsage, options.file.string() + ": browsers take 2 GiB at most");
+      refuse(": browsers take 2 GiB at most: encode fewer --views, or with a lower --quality");
     }
     // The reference view of the middle: no view takes fewer bytes.
     const StreamHeader& header = file_.header();
@@ -129,7 +129,7 @@ class Publication {
     camera_ = cameras_of(cameras, file_).cameras.front();
     if (const WorldPoint& at = *camera_.position;
         at.u < 0 || at.v < 0 || at.u > header.cols - 1 || at.v > header.rows - 1) {
-      throw Failure(ExitCode::kUsage, "--camera: it stands beside the views");
+      throw Failure(ExitCode::kUsage, "--camera: outside the grid, which hmlfc info tells");
     }
   }
 
