@@ -92,7 +92,9 @@ export class LightField {
   async #drawWhole(camera, stopLevel, target, kept) {
     const {record, views} = await this.client.record(camera);
     await this.load(views, stopLevel, record[37] === 1 && stopLevel === 0);
-    return {views, ...await this.renderer.draw(record, stopLevel, target, kept)};
+    const begin = performance.now();
+    const drawn = await this.renderer.draw(record, stopLevel, target, kept);
+    return {views, took: performance.now() - begin, ...drawn};
   }
 
   /** @type {Map<string, Promise<void>>} */

@@ -26,8 +26,8 @@ function silent(what) {
  */
 async function ask(address, headers) {
   const answer = await fetch(address, {headers}).catch(() => silent("does not answer"));
-  if (answer.status === 429 || answer.status >= 500) silent(`answers with status ${answer.status}`);
-  if (!answer.ok) throw new Error(`${address}: the host answers with status ${answer.status}`);
+  if (answer.status === 429 || answer.status >= 500) silent(`is busy (HTTP ${answer.status})`);
+  if (!answer.ok) throw new Error(`the host does not give ${address} (HTTP ${answer.status})`);
   return answer;
 }
 

@@ -59,7 +59,7 @@ class StreamWorker {
       const {status, words} = await this.#post(call, numbers, camera, ranges);
       if (status === 0) return words;
       if (status === BAD_CAMERA) throw new Error(String.fromCharCode(...words));
-      if (status !== MISSING) throw new Error(`the file of this light field is damaged (error ${status})`);
+      if (status !== MISSING) throw new Error(`the file of this light field is damaged or cut (error ${status})`);
       ranges = [];
       for (let i = 0; i < words.length; i += 2) ranges.push([words[i], words[i + 1]]);
       const lacks = this.file.chunksOf(ranges).some(k => !this.has.has(k));

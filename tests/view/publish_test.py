@@ -17,7 +17,7 @@ from pathlib import Path
 from browser import WEBGPU, Browser
 from page_case import run_in_browser
 from pictures import read_png
-from program import USAGE, CliTest
+from program import PROGRAM, USAGE, CliTest
 
 PATIENCE = 400  # seconds: frames and kernels take long on a software device of a busy machine
 TITLE, TEXT = 'Cards & "cups" <b>', "25 photographs of a table"
@@ -123,6 +123,8 @@ class PublishTest(CliTest):
         self.assertEqual(self.equals_render()["aperture"], 0)
         self.press("?")
         self.assertTrue(self.browser.element("help").is_displayed())
+        self.browser.actions().send_keys("?").perform()
+        self.assertFalse(self.browser.element("help").is_displayed())
         loaded = self.browser.script("return performance.getEntriesByType('resource').map(one => one.name)")
         self.assertEqual([name for name in loaded if not name.startswith((self.address, "data:"))], [])
         self.assertEqual(self.browser.complaints(), [])
@@ -175,8 +177,8 @@ class PublishTest(CliTest):
         stream = Handler.root / "light-field.hmlfc"
         intact = stream.read_bytes()
         noise = random.Random(1).randbytes(len(intact))
-        damages = ((intact[:400] + noise[400:], 0, "A part of this light field is damaged"), (intact[:2000], 0, "is damaged (error 1)"),
-                   (noise, 0, "no light field"), (intact, 2**31, "is damaged (error 9)"), (intact, 2**31 + 1, "more than 2 GiB"))
+        damages = ((intact[:400] + noise[400:], 0, "A part of this light field is damaged"), (intact[:2000], 0, "is damaged or cut (error 1)"),
+                   (noise, 0, "no light field"), (intact, 2**31, "is damaged or cut (error 9)"), (intact, 2**31 + 1, "more than 2 GiB"))
         self.addCleanup(stream.write_bytes, intact)
         self.addCleanup(setattr, Handler, "claimed", None)
         for damaged, Handler.claimed, wanted in damages:
@@ -203,6 +205,16 @@ class PublishTest(CliTest):
         own.write_text("mine")
         self.refused(USAGE, "publish", "a.hmlfc", "-o", "own", says="app/player.js: is there already")
         self.assertEqual(own.read_text(), "mine")
+
+    def test_an_interrupted_run_is_begun_anew(self):
+        page = self.folder / "cut/index.html"
+        with subprocess.Popen([PROGRAM, "publish", "a.hmlfc", "-o", "cut", "--focus", "9"], cwd=self.folder) as run:
+            while run.poll() is None and not page.exists():
+                pass
+            run.kill()
+        self.hmlfc("publish", "a.hmlfc", "-o", "cut", "--focus", "9")
+        self.assertIn('data-far="9.00"', page.read_text())
+        self.refused(USAGE, "publish", "a.hmlfc", "-o", "cut", "--address", "example.org", says="https://")
 
     def test_page(self):
         page = (Handler.root / "index.html").read_text()

@@ -24,8 +24,25 @@ std::string block_options(const vectors::Vector& vector, const VectorResult& res
                      plane_name(plane), block.bx, block.by);
 }
 
-// `word` as a shell reads it again.
-std::string quoted(const std::string& word) {
+std::string list_command(const char* kind, const Suite& suite, const vectors::Vector& vector) {
+  return fmt::format("hmlfc vectors {} {} --suite {}", kind, vector.id.text(),
+                     shell_word(suite.folder.string()));
+}
+
+// The command that shows how the wrong pixel of a frame comes about.
+std::string frame_command(const Suite& suite, const vectors::Vector& vector,
+                          const VectorResult& result) {
+  if (!result.difference) return list_command("explain", suite, vector);
+  const std::string stream = stream_of(suite, vector);
+  const auto levels = static_cast<int64_t>(geometry_of(stream).tree_height) + 1;
+  return fmt::format("hmlfc render {} --inputs {} --levels {} --trace {},{}", shell_word(stream),
+                     vectors::camera_words(*vector.frame->camera),
+                     levels - vector.frame->stop_level, result.difference->x, result.difference->y);
+}
+
+}  // namespace
+
+std::string shell_word(const std::string& word) {
   const auto is_plain = [](char c) {
     const std::string_view others = "/._-+=:@%,";
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
@@ -37,36 +54,20 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-// The command that shows how the wrong pixel of a frame comes about.
-std::string frame_command(const Suite& suite, const vectors::Vector& vector,
-                          const VectorResult& result) {
-  if (!result.difference) {
-    return fmt::format("hmlfc vectors explain {} --suite {}", vector.id.text(),
-                       suite.folder.string());
-  }
-  const std::string stream = stream_of(suite, vector);
-  const auto levels = static_cast<int64_t>(geometry_of(stream).tree_height) + 1;
-  return fmt::format("hmlfc render {} --inputs {} --levels {} --trace {},{}", stream,
-                     vectors::camera_words(*vector.frame->camera),
-                     levels - vector.frame->stop_level, result.difference->x, result.difference->y);
-}
-
-}  // namespace
-
 std::string inspect_command(const Suite& suite, const vectors::Vector& vector,
                             const VectorResult& result) {
   if (vector.frame) return frame_command(suite, vector, result);
   const std::string block = block_options(vector, result);
-  if (!block.empty()) return fmt::format("hmlfc inspect {}{}", stream_of(suite, vector), block);
-  return fmt::format("hmlfc vectors inspect {} --suite {}", vector.id.text(),
-                     suite.folder.string());
+  if (!block.empty())
+    return fmt::format("hmlfc inspect {}{}", shell_word(stream_of(suite, vector)), block);
+  return list_command("inspect", suite, vector);
 }
 
 std::string view_command(const Suite& suite, const vectors::Vector& vector, const Dut& dut,
                          const VectorResult& result) {
   if (vector.frame) return {};
-  return fmt::format("hmlfc view {} --dut {}{}", quoted(stream_of(suite, vector)), quoted(dut.text),
-                     block_options(vector, result));
+  return fmt::format("hmlfc view {} --dut {}{}", shell_word(stream_of(suite, vector)),
+                     shell_word(dut.text), block_options(vector, result));
 }
 
 }  // namespace hmlfc::conform

@@ -18,6 +18,8 @@
 #include "cli/camera_path.hpp"
 #include "cli/commands.hpp"
 #include "cli/render_backend.hpp"
+#include "conform/block_commands.hpp"
+#include "conform/report.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "syntax/geometry.hpp"
@@ -74,17 +76,6 @@ fs::path browser_folder() {
       "build it anew");
 }
 
-std::string html_of(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    const std::string_view specials = "&<>\"";
-    const std::array<std::string_view, 4> names{"&amp;", "&lt;", "&gt;", "&quot;"};
-    const size_t at = specials.find(c);
-    html += at == specials.npos ? std::string(1, c) : std::string(names[at]);
-  }
-  return html;
-}
-
 // `page` with the value of each name in place of {{name}}.
 std::string filled(std::string_view page,
                    const std::vector<std::pair<std::string_view, std::string>>& values) {
@@ -112,6 +103,10 @@ class Publication {
       : options_(options), modules_(browser_folder()), file_(options.file) {
     const std::string name = options.file.string();
     const auto refuse = [&](const char* why) { throw Failure(ExitCode::kUsage, name + why); };
+    const std::string& address = options.address;
+    if (!address.empty() && !address.starts_with("https://") && !address.starts_with("http://")) {
+      throw Failure(ExitCode::kUsage, "--address: begins with https:// or http://");
+    }
     if (file_.is_remote()) refuse(": publish a file, not an address");
     if (file_.size() > kMostBytes) {
       refuse(": browsers take 2 GiB at most: encode fewer --views, or with a lower --quality");
@@ -260,13 +255,14 @@ class Publication {
     const std::string name = file_.path().stem().string();
     const std::string address =
         options_.address + (options_.address.empty() || options_.address.ends_with('/') ? "" : "/");
-    const auto [near, far] = focus_range_;
+    const double near = std::min(focus_range_[0], camera_.focus);
+    const double far = std::max(focus_range_[1], camera_.focus);
     const WorldPoint& at = *camera_.position;
     write_text(options_.output / "index.html",
                filled(view::find_asset("player.html")->content,
-                      {{"title", html_of(options_.title.empty() ? name : options_.title)},
-                       {"text", html_of(options_.text)},
-                       {"address", html_of(address)},
+                      {{"title", conform::escaped(options_.title.empty() ? name : options_.title)},
+                       {"text", conform::escaped(options_.text)},
+                       {"address", conform::escaped(address)},
                        {"width", std::to_string(still_size_[0])},
                        {"height", std::to_string(still_size_[1])},
                        {"camera", fmt::format("{},{},{}", at.u, at.v, at.z)},
@@ -290,7 +286,7 @@ ExitCode run_publish(const PublishOptions& options) {
   print(fmt::format(
       "{0}: copy this folder to a web server, best one that answers requests for ranges; here:\n"
       "  python3 -m http.server -d {0} 8000    # then open http://127.0.0.1:8000/\n",
-      options.output.string()));
+      conform::shell_word(options.output.string())));
   return ExitCode::kDone;
 }
 
@@ -312,7 +308,8 @@ Example:
   app.add_option("--title", options.title, "Title of the page (default: the name of the file)")
       ->type_name("TEXT");
   app.add_option("--text", options.text, "A sentence about it")->type_name("TEXT");
-  app.add_option("--address", options.address, "Where the folder will be, for previews by others")
+  app.add_option("--address", options.address,
+                 "Where the folder will be: others show no previews without")
       ->type_name("URL");
   add_start_camera(app, options.cameras);
 }

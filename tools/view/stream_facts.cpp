@@ -7,6 +7,7 @@
 
 #include "cli/camera_path.hpp"
 #include "cli/stream_report.hpp"
+#include "conform/block_commands.hpp"
 #include "view/image_bytes.hpp"
 
 namespace hmlfc::view {
@@ -52,7 +53,7 @@ Json images_json(const ImageBytes& bytes) {
 
 Json stream_facts(const OpenStream& stream) {
   Json json{{"name", stream.path().filename().string()},
-            {"file", stream.path().string()},
+            {"file", conform::shell_word(stream.path().string())},
             {"version", HMLFC_VERSION},
             {"error", stream.error()},
             {"warning", stream.warning()},

@@ -6,6 +6,8 @@ import { within } from "./live_view.js";
 
 const AHEAD = 16; // columns from the camera to the point that it looks at
 const LOADED_AHEAD = 1 << 26; // bytes
+const SLOW = 2000; // milliseconds for a frame whose stream has come
+const OFTEN = 3; // slow frames, one after the other
 const AROUND = 64; // rows and columns of views that are loaded ahead
 
 export class GpuFrames {
@@ -20,6 +22,7 @@ export class GpuFrames {
     const [u, v, z = 0] = (camera ?? "").split(",").map(Number);
     /** @type {Camera} */
     this.start = { u, v, z, turnX: 0, turnY: 0, focus: Number(focus), aperture: Number(aperture) };
+    this.slow = 0; // frames, up to now
     this.depths = /** @type {[number, number]} */ ([Number(near), Number(far)]);
   }
 
@@ -38,9 +41,12 @@ export class GpuFrames {
   /** @param {Camera} camera @returns {Promise<import("./live_view.js").Shown>} */
   async draw(camera) {
     const record = this.record(camera);
-    const { error } = await this.field.draw(record, 0, this.target);
+    const { error, took } = await this.field.draw(record, 0, this.target);
+    this.slow = took > SLOW ? this.slow + 1 : 0;
+    const slow = this.slow >= OFTEN;
     Object.assign(this.canvas.dataset, { drawn: JSON.stringify(record), error: String(error) });
-    return { note: error === 0 ? "" : "A part of this light field is damaged: its file did not arrive as it was made." };
+    const damaged = "A part of this light field is damaged: its file did not arrive as it was made.";
+    return { slow, note: error !== 0 ? damaged : slow ? `This device takes ${Math.round(took / 1000)} s for a picture. Drag to move the camera.` : "" };
   }
 
   /** @param {Camera} camera @param {number} x @param {number} y */

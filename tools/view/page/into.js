@@ -38,6 +38,7 @@ export class Into {
     /** @type {Int16Array | null} */
     this.samples = null;
     this.number = 0; // of the change that is shown
+    this.note = ""; // about the link that was opened
     this.prepareControls();
   }
 
@@ -97,8 +98,9 @@ export class Into {
     else if (key === "-") this.canvas.zoom(0.8);
     else if (key === ",") this.step(-1);
     else if (key === ".") this.step(1);
-    else if (key === "n") this.stepToError(1);
-    else if (key === "p") this.stepToError(-1);
+    else if (key === "n" || key === "p") {
+      if (!this.stepToError(key === "n" ? 1 : -1)) say("into-error", "This plane has no block with an error.");
+    }
     else if (key in arrows && this.blocks) {
       const [x, y] = this.place.block ?? [0, 0];
       const [right, down] = arrows[key];
@@ -135,6 +137,7 @@ export class Into {
 
   /** @param {Partial<Place>} changes */
   change(changes) {
+    this.note = "";
     Object.assign(this.place, changes);
     void this.show();
   }
@@ -158,6 +161,10 @@ export class Into {
     }
     for (const name of CHECKS) place[name] = (link.get("show") ?? "").split(",").includes(name);
     this.place = place;
+    const { row, col, block, ...others } = place;
+    const here = { ...others, view: `${row},${col}`, block: `${block}` };
+    const wrong = Object.entries(here).filter(([name, value]) => (link.get(name) ?? `${value}`) !== `${value}`);
+    this.note = wrong.length > 0 ? `This stream has no ${wrong.map(([name]) => `${name} ${link.get(name)}`).join(", no ")}.` : "";
     void this.show();
   }
 
@@ -208,7 +215,7 @@ export class Into {
       this.samples = shown.samples;
       this.draw(shown, beside, rgb, blocks, block, twin, there);
       showBlock(answer, (row, col) => this.change({ row, col }), other, [this.stream, this.stream.twin].map((one) => one?.file), side === twinSide);
-      say("into-error", "");
+      say("into-error", place.block && !block ? `Not in plane ${place.plane}: block ${place.block}.` : this.note);
       if (answer && this.stream.dut) await this.showOther(number, query, answer);
     } catch (error) {
       if (number === this.number) say("into-error", /** @type {Error} */ (error).message);

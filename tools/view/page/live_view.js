@@ -17,8 +17,9 @@ import { canvas, say } from "./dom.js";
  * @property {number | null} [fov] degrees; null: a view fills the frame
  */
 /**
- * What was drawn. half: with half the size, because the camera moves; note: what the visitor should know.
- * @typedef {{half?: boolean, note?: string}} Shown
+ * What was drawn. half: with half the size, because the camera moves; slow: too slowly for a camera that circles; note:
+ * what the visitor should know.
+ * @typedef {{half?: boolean, slow?: boolean, note?: string}} Shown
  */
 /**
  * Draws frames on the canvas: gpu_frames.js here, server_frames.js by asking.
@@ -167,6 +168,7 @@ export class LiveView {
       this.movingSince = 0;
       this.begun?.();
     }
+    if (shown.slow && !document.body.classList.contains("touched")) this.rest();
     if (shown.half && !this.wanted) setTimeout(() => this.put({}), STILL);
     this.shown(shown, input);
   }
@@ -234,7 +236,10 @@ export class LiveView {
 
   /** @param {number} columns */
   advance(columns) {
-    const reach = this.facts.cols + this.facts.rows;
+    const { rows, cols, width, height } = this.facts;
+    // From the middle of the views, what they see fills the frame as far as this.
+    const full = Math.max(width, height) * Math.min((cols - 1) / width, (rows - 1) / height);
+    const reach = Math.max(1, full, Math.abs(this.camera.z));
     this.change({ z: within(this.camera.z + columns, -reach, reach) });
   }
 
@@ -242,9 +247,13 @@ export class LiveView {
   async focusAt(x, y) {
     this.rest();
     const { width, height } = this.canvas;
-    const focus = await this.frames.focusOf(this.frameCamera(), Math.floor(x * width), Math.floor(y * height)).catch(() => null);
+    let why = "There is nothing to focus on.";
+    const focus = await this.frames.focusOf(this.frameCamera(), Math.floor(x * width), Math.floor(y * height)).catch((error) => {
+      why = `${error.message}.`;
+      return null;
+    });
     // Where all was sharp, a little blur shows what the click has done.
     if (focus !== null) this.slideTo({ focus, aperture: Math.max(1, this.camera.aperture) });
-    else say("notice", "There is nothing to focus on.");
+    else say("notice", why);
   }
 }

@@ -19,7 +19,11 @@ function focusAt(view, x, y) {
   void view.focusAt(x, y);
 }
 
-const help = () => /** @type {HTMLDialogElement} */ (any("help")).showModal();
+function help() {
+  const dialog = /** @type {HTMLDialogElement} */ (any("help"));
+  if (dialog.open) dialog.close();
+  else dialog.showModal();
+}
 
 const fill = () => void (document.fullscreenElement ? document.exitFullscreen() : any("look").requestFullscreen());
 
@@ -99,7 +103,7 @@ export function control(view, takes = () => false) {
     const { ctrlKey, altKey, metaKey, shiftKey, key, target } = event;
     if (ctrlKey || altKey || metaKey || any("look").hidden || !(target instanceof Element)) return;
     const letter = key.length === 1; // of which sliders take none
-    const typing = letter && target.matches("input[type=range]") ? false : target.closest("input, select, aside, dialog");
+    const typing = letter && target.matches("input[type=range]") ? false : target.closest(key === "?" ? "input, select, aside" : "input, select, aside, dialog");
     if (typing || (key === " " && target instanceof HTMLButtonElement)) return;
     if (press(view, letter ? key.toLowerCase() : key, shiftKey)) event.preventDefault();
   });

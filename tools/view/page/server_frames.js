@@ -82,8 +82,15 @@ export class ServerFrames {
     draw.globalAlpha = 1;
   }
 
-  /** @param {Camera} camera @param {number} x @param {number} y @returns {Promise<number>} */
+  /**
+   * Null where the pixel shows nothing, or nothing that is known.
+   * @param {Camera} camera @param {number} x @param {number} y @returns {Promise<number | null>}
+   */
   async focusOf(camera, x, y) {
-    return (await focusOf({ ...this.query(camera), "focus-at": `${x},${y}` })).focus;
+    const asked = focusOf({ ...this.query(camera), "focus-at": `${x},${y}` });
+    return (await asked.catch((error) => {
+      if (error.message.includes("focus at")) return { focus: null };
+      throw error;
+    })).focus;
   }
 }
