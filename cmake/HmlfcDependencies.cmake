@@ -92,6 +92,13 @@ if(HMLFC_STATIC)  # without what Debian has as no archive, or nothing but header
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
   set(HMLFC_VULKAN_INCLUDE OFF)
   string(APPEND CMAKE_EXE_LINKER_FLAGS " -static -s")
+  find_path(HMLFC_HWY_INCLUDE hwy/targets.h)
+  # clang 16 cannot ask for x86-64-v3, and MinGW-w64 does not align vectors of AVX on the stack.
+  if(HMLFC_HWY_INCLUDE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT WIN32)
+    add_library(hwy::hwy INTERFACE IMPORTED)
+    target_compile_definitions(hwy::hwy INTERFACE HWY_STATIC_DEFINE)
+    set(hwy_FOUND ON)
+  endif()
 endif()
 if(WIN32 AND HMLFC_TOOLS)
   include(HmlfcWindows)

@@ -53,7 +53,7 @@ run_soak() {
     say "soak: --minutes takes a number from 1 on, --seed a number, --shard I/N with I from 1 to N"
     exit 2
   fi
-  install_packages build test
+  install_packages build test soak
   soak=ON build all
   local begin=$SECONDS left
   say "Tests with label soak, for $minutes minutes at most"

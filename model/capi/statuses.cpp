@@ -1,6 +1,5 @@
 // Version and statuses by name.
 #include <array>
-#include <cstddef>
 
 #include <hmlfc/hmlfc.h>
 #include <hmlfc/error.hpp>

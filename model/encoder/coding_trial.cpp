@@ -1,13 +1,11 @@
 #include "encoder/coding_trial.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 #include "encoder/coding_params.hpp"

@@ -2,7 +2,6 @@
 #include <hmlfc/encoder.hpp>
 
 #include <new>
-#include <utility>
 
 #include "bits/parallel.hpp"
 #include "encoder/cached_views.hpp"

@@ -1,7 +1,6 @@
 #include "encoder/encode_part.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <tuple>
 

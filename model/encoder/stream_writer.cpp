@@ -1,6 +1,5 @@
 #include "encoder/stream_writer.hpp"
 
-#include <utility>
 #include <vector>
 
 #include "bits/little_endian.hpp"

@@ -1,7 +1,6 @@
 #include "render/displaced_cells.hpp"
 
 #include <map>
-#include <optional>
 #include <tuple>
 
 #include <hmlfc/disparity.hpp>

@@ -36,7 +36,7 @@ hmlfc::RgbImage frame_of(const hmlfc::Decoder& decoder, char* numbers, const cha
   }
   hmlfc::Frame frame;
   const auto renderer = hmlfc::make_cpu_renderer(decoder);
-  value_of(renderer->render(hmlfc::frame_record_of(record), std::atoi(stop_level), frame));
+  if (!renderer->render(hmlfc::frame_record_of(record), std::atoi(stop_level), frame)) std::exit(1);
   return frame.image;
 }
 
