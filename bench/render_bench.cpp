@@ -4,7 +4,6 @@
 // FILE: a stream; default: Chess of HMLFC_DATA_DIR, or of ../shared/data if that is not set,
 // encoded in profile extended at quality 64. CPU times are those of all threads; frames/s depend on
 // what else the machine runs.
-#include <cmath>
 #include <vector>
 
 #include <hmlfc/encoder.hpp>

@@ -3,7 +3,6 @@
 // Usage: ./run bench gpu [FILE.hmlfc...]; --help. Without a FILE: scene `knights`, encoded in both
 // profiles.
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>

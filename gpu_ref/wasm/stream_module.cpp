@@ -5,12 +5,8 @@
 // offset and bytes, that the page loads before it calls again. Answers are words of 32 bits that
 // stay until the next call.
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <memory>
 #include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "arithmetic/rounding.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <new>
 #include <stdexcept>
-#include <string>
 
 #include "capi/structs.hpp"
 

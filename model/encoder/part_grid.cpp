@@ -1,7 +1,6 @@
 #include "encoder/part_grid.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <vector>
 
 #include "encoder/plane_targets.hpp"

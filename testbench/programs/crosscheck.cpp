@@ -1,5 +1,4 @@
 // crosscheck: every implementation that this build has, on the same blocks.
-#include <chrono>
 #include <functional>
 
 #include "bits/crc32c.hpp"

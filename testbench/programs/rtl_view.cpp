@@ -1,7 +1,6 @@
 // view: a rectangle of a view through descriptor and DMA, every byte compared with the golden
 // model.
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 

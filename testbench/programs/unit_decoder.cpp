@@ -4,7 +4,6 @@
 #include <hmlfc/dut.hpp>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 struct hmlfc_dut {

@@ -1,7 +1,6 @@
 #include "systemc/bench.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
 #include "stimulus/address_space.hpp"

@@ -1,7 +1,6 @@
 // The arithmetic of one sample against its formulas in 64 bits (TIL-10, STP-2, STP-3, DEC-3).
 #include "arithmetic/reconstruct.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 

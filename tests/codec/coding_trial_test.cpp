@@ -3,7 +3,6 @@
 #include "encoder/coding_trial.hpp"
 
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,6 @@
 // parameters that are left open.
 #include <gtest/gtest.h>
 
-#include <set>
-#include <utility>
 #include <vector>
 
 #include <hmlfc/decoder.hpp>

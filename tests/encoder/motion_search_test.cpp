@@ -1,10 +1,5 @@
 // The fast search finds what the definition finds: on every instruction set this machine has.
-#include <algorithm>
-#include <array>
 #include <cstdint>
-#include <random>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -1,8 +1,6 @@
 // Frames that reuse blocks of the frames before: the golden renderer's bytes and errors, and the
 // blocks that the rule of docs/gpu.md predicts, with budgets from nothing to everything.
 #include <algorithm>
-#include <array>
-#include <iterator>
 
 #include "decoder/open_stream.hpp"
 #include "gpu/frame_cases.hpp"

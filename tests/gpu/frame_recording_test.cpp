@@ -1,7 +1,6 @@
 // Frames recorded into command buffers of the caller.
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>

@@ -2,7 +2,6 @@
 #include <hmlfc/gpu/recording.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 #include <set>
 #include <string>

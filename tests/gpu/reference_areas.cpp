@@ -11,7 +11,6 @@
 // Exit: 0, 2 something cannot be read or written, 77 this build has no GPU decoder.
 #include <cstdio>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>

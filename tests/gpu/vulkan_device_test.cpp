@@ -2,7 +2,6 @@
 #include <functional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "decoder/open_stream.hpp"
 #include "gpu/callers_device.hpp"

@@ -1,10 +1,7 @@
 // Whole light fields to folders and back.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <chrono>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "io/image_files.hpp"

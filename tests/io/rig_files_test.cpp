@@ -1,7 +1,6 @@
 // Rigs of folders: positions in file names, files of either form.
 #include "io/rig_files.hpp"
 
-#include <array>
 #include <fstream>
 #include <string>
 #include <vector>

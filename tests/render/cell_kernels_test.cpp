@@ -2,7 +2,6 @@
 // set.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 
 #include "render/cell_kernels.hpp"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "scenes/test_light_fields.hpp"
 
 namespace hmlfc {

@@ -1,7 +1,6 @@
 // hmlfc_header against parse_header of the model: every field, every check of FIL-4, bus errors.
 #include <cstdint>
 #include <map>
-#include <vector>
 
 #include <Header.h>
 

@@ -3,8 +3,6 @@
 #include "syntax/motion_tile.hpp"
 
 #include <cstdint>
-#include <span>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -309,14 +309,6 @@ class Blocks(IntoCase):
         self.browser.until("the error", lambda: re.search(r" in \w+ at byte ", self.browser.text("look-error")))
         self.browser.page.get_log("browser")  # the status 422 of errors
 
-    def test_what_is_not_there_is_told(self):
-        self.open("#mode=into&view=1,9&block=2,1")
-        self.browser.until("why", lambda: self.browser.text("into-error") == "This stream has no view 1,9.")
-        self.browser.element("picture").send_keys("n")
-        self.assertEqual(self.browser.text("into-error"), "This plane has no block with an error.")
-        self.open("#mode=into&block=900,1")
-        self.browser.until("why", lambda: self.browser.text("into-error") == "Not in plane Y: block 900,1.")
-
 
 if __name__ == "__main__":
     run_in_browser()

@@ -1,6 +1,5 @@
 // hmlfc bise: encodes and decodes single bounded integer sequences.
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -1,9 +1,7 @@
 #include "cli/block_report.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>

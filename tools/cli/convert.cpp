@@ -1,7 +1,6 @@
 // hmlfc convert: a light field from one form into another, sample for sample.
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // hmlfc encode: a folder of views to a stream, with the quality measured on the decoded stream.
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,10 +1,8 @@
 // hmlfc render: novel views of a light field.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "cli/render_trace.hpp"
 
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,5 @@
 // hmlfc synth: renders a synthetic light field to a folder of views.
 #include <filesystem>
-#include <memory>
-#include <new>
 #include <string>
 #include <vector>
 

@@ -1,10 +1,7 @@
 #include "conform/line_decoder.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <limits>
-#include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

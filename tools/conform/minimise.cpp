@@ -1,7 +1,6 @@
 #include "conform/minimise.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 
 #include "conform/stream_parts.hpp"

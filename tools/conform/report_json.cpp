@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <new>
-#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,8 @@
 #include "io/hci_parameters.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>

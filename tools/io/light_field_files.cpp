@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>

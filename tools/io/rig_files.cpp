@@ -1,7 +1,6 @@
 #include "io/rig_files.hpp"
 
 #include <set>
-#include <string>
 
 #include "io/files.hpp"
 #include "io/hci_parameters.hpp"

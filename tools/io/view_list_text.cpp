@@ -1,7 +1,6 @@
 #include "io/view_list_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>

@@ -4,7 +4,6 @@
 
 #include <png.h>
 
-#include <array>
 #include <csetjmp>
 #include <cstddef>
 #include <cstdint>

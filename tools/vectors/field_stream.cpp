@@ -1,7 +1,6 @@
 #include "vectors/field_stream.hpp"
 
 #include <algorithm>
-#include <array>
 #include <new>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "vectors/random_frame.hpp"
 
-#include <algorithm>
-
 #include "vectors/random.hpp"
 
 namespace hmlfc::vectors {

@@ -1,6 +1,5 @@
 #include "vectors/recipe.hpp"
 
-#include <map>
 #include <new>
 #include <string>
 #include <utility>

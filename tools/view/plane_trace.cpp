@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <optional>
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/reconstruct.hpp"

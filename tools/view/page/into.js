@@ -98,9 +98,7 @@ export class Into {
     else if (key === "-") this.canvas.zoom(0.8);
     else if (key === ",") this.step(-1);
     else if (key === ".") this.step(1);
-    else if (key === "n" || key === "p") {
-      if (!this.stepToError(key === "n" ? 1 : -1)) say("into-error", "This plane has no block with an error.");
-    }
+    else if (key === "n" || key === "p") this.stepToError(key === "n" ? 1 : -1) || say("into-error", "This plane has no block with an error.");
     else if (key in arrows && this.blocks) {
       const [x, y] = this.place.block ?? [0, 0];
       const [right, down] = arrows[key];
@@ -150,21 +148,18 @@ export class Into {
       const good = link.has(name) && Number.isInteger(x) && Number.isInteger(y) && x >= 0 && x < endX && y >= 0 && y < endY;
       return good ? /** @type {[number, number]} */ ([x, y]) : null;
     };
-    const view = pair("view", this.stream.rows, this.stream.cols);
-    if (view) [place.row, place.col] = view;
+    [place.row, place.col] = pair("view", this.stream.rows, this.stream.cols) ?? [place.row, place.col];
     place.block = pair("block", 65536, 65536);
     const levels = Number(link.get("levels"));
     if (Number.isInteger(levels) && levels >= 1 && levels <= this.all) place.levels = levels;
     for (const name of LISTS) {
-      const words = [...select(name).options].map((option) => option.value);
-      if (words.includes(link.get(name) ?? "")) place[name] = link.get(name) ?? "";
+      place[name] = [...select(name).options].find(({ value }) => value === link.get(name))?.value ?? place[name];
     }
     for (const name of CHECKS) place[name] = (link.get("show") ?? "").split(",").includes(name);
     this.place = place;
-    const { row, col, block, ...others } = place;
-    const here = { ...others, view: `${row},${col}`, block: `${block}` };
-    const wrong = Object.entries(here).filter(([name, value]) => (link.get(name) ?? `${value}`) !== `${value}`);
-    this.note = wrong.length > 0 ? `This stream has no ${wrong.map(([name]) => `${name} ${link.get(name)}`).join(", no ")}.` : "";
+    const wrong = Object.entries({ ...place, view: `${place.row},${place.col}` })
+      .flatMap(([name, value]) => ((link.get(name) ?? `${value}`) === `${value}` ? [] : [`${name} ${link.get(name)}`]));
+    this.note = wrong.length > 0 ? `This stream has no ${wrong.join(", no ")}.` : "";
     void this.show();
   }
 
@@ -267,7 +262,7 @@ export class Into {
    * @param {number} x @param {number} y @returns {[number, number] | null}
    */
   blockAt(x, y) {
-    const layers = this.canvas.layers;
+    const { layers } = this.canvas;
     if (!layers || x < 0 || y < 0 || x >= layers.picture.width || y >= layers.picture.height) return null;
     return [Math.floor(x / layers.side), Math.floor(y / layers.side)];
   }
