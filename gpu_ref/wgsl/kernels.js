@@ -1,5 +1,7 @@
 // The kernels of hmlfc_gpu.js and frame_renderer.js, compiled.
 
+import {ask} from "./ranged_file.js";
+
 /** @typedef {any} GPUDevice */
 
 /**
@@ -55,9 +57,7 @@ export async function kernelsOf(device, folder, names) {
  * @returns {Promise<Kernel>}
  */
 async function compile(device, name, address) {
-  const answer = await fetch(address);
-  if (!answer.ok) throw new Error(`${answer.url}: ${answer.status} ${answer.statusText}`);
-  const code = await answer.text();
+  const code = await (await ask(address)).text();
   const module = device.createShaderModule({code, label: name});
   const pipeline = await device.createComputePipelineAsync(
       {label: name, layout: "auto", compute: {module, entryPoint: "main"}});

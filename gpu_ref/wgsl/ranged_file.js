@@ -24,10 +24,12 @@ function silent(what) {
  * What the host answers.
  * @param {string} address @param {Record<string, string>} [headers]
  */
-async function ask(address, headers) {
+export async function ask(address, headers) {
   const answer = await fetch(address, {headers}).catch(() => silent("does not answer"));
   if (answer.status === 429 || answer.status >= 500) silent(`is busy (HTTP ${answer.status})`);
-  if (!answer.ok) throw new Error(`the host does not give ${address} (HTTP ${answer.status})`);
+  const name = address.split("/").pop();
+  if (answer.status === 416) throw new Error(`${name} is empty on the host, or shorter than it was`);
+  if (!answer.ok) throw new Error(`the host does not give ${name} (HTTP ${answer.status})`);
   return answer;
 }
 

@@ -1,6 +1,6 @@
 // What a page knows of a stream: asked of workers that run the module in WebAssembly.
 
-import {CHUNK, RangedFile} from "./ranged_file.js";
+import {ask, CHUNK, RangedFile} from "./ranged_file.js";
 
 // stream_module.cpp gives the facts in this order, then the shape.
 const FACTS = [
@@ -76,7 +76,7 @@ class StreamWorker {
     const chunks = this.file.chunksOf(ranges).filter(k => !this.has.has(k));
     for (const k of chunks) this.has.add(k);
     return new Promise((resolve, reject) => {
-      this.worker.onerror = event => reject(new Error(event.message));
+      this.worker.onerror = event => reject(new Error(event.message ?? "stream_worker.js has not come from the host"));
       this.worker.onmessage = ({data}) => (data.failure ? reject(new Error(data.failure)) : resolve(data));
       this.worker.postMessage({
         code: this.code, size: this.file.size, camera, call, numbers,
@@ -95,7 +95,7 @@ export class StreamClient {
    */
   static async open(address, folder, threads = Math.max(2, Math.min(4, navigator.hardwareConcurrency))) {
     // Not compileStreaming(), which takes it only as application/wasm: many hosts do not know that type.
-    const code = fetch(new URL("hmlfc_stream.wasm", folder)).then(answer => answer.arrayBuffer()).then(WebAssembly.compile);
+    const code = ask(new URL("hmlfc_stream.wasm", folder).href).then(answer => answer.arrayBuffer()).then(WebAssembly.compile);
     code.catch(() => {});
     const file = await RangedFile.open(address);
     const compiled = await code;

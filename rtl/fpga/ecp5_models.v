@@ -37,23 +37,30 @@ module DP16KD (
   function [4:0] place(input integer width, input [3:0] low);
     place = width == 18 ? 5'd0 : low[3] * 5'd9 + (width == 9 ? 5'd0 : {2'd0, low[2:0]} & -width);
   endfunction
-  integer i;
+  // The bits of a word that are written: with 18 bits the address enables each byte.
+  function [17:0] mask(input integer width, input [3:0] low);
+    mask = width == 18 ? {{9{low[1]}}, {9{low[0]}}} : ((18'd1 << width) - 18'd1) << place(width, low);
+  endfunction
+  function [17:0] written(input [17:0] old, input [17:0] data, input [17:0] bits);
+    written = old & ~bits | data & bits;
+  endfunction
+  wire [17:0] mask_a = mask(DATA_WIDTH_A, ad_a[3:0]);
+  wire [17:0] mask_b = mask(DATA_WIDTH_B, ad_b[3:0]);
+  // Reads give what was there before; both ports may write to a word.
   always @(posedge CLKA) begin
     if (DATA_WIDTH_A == 36) begin
-      if (CEA && WEA) begin
-        for (i = 0; i < 2; i = i + 1) if (ad_a[i]) words[{ad_a[13:5], 1'b0}][9*i+:9] <= di_a[9*i+:9];
-        for (i = 0; i < 2; i = i + 1) if (ad_a[2+i]) words[{ad_a[13:5], 1'b1}][9*i+:9] <= di_b[9*i+:9];
-      end
       if (CEB) {odd, even} <= {words[{ad_b[13:5], 1'b1}], words[{ad_b[13:5], 1'b0}]};
+      if (CEA && WEA) begin
+        words[{ad_a[13:5], 1'b0}] = written(words[{ad_a[13:5], 1'b0}], di_a, mask(18, ad_a[3:0]));
+        words[{ad_a[13:5], 1'b1}] = written(words[{ad_a[13:5], 1'b1}], di_b, mask(18, ad_a[3:0] >> 2));
+      end
     end else begin
       if (CEA) even <= words[ad_a[13:4]] >> place(DATA_WIDTH_A, ad_a[3:0]);
       if (CEB) odd <= words[ad_b[13:4]] >> place(DATA_WIDTH_B, ad_b[3:0]);
-      for (i = 0; i < 18; i = i + 1) begin
-        if (CEA && WEA && (DATA_WIDTH_A == 18 ? ad_a[i/9] : i < DATA_WIDTH_A))
-          words[ad_a[13:4]][i+place(DATA_WIDTH_A, ad_a[3:0])] <= di_a[i];
-        if (CEB && WEB && (DATA_WIDTH_B == 18 ? ad_b[i/9] : i < DATA_WIDTH_B))
-          words[ad_b[13:4]][i+place(DATA_WIDTH_B, ad_b[3:0])] <= di_b[i];
-      end
+      if (CEA && WEA)
+        words[ad_a[13:4]] = written(words[ad_a[13:4]], di_a << place(DATA_WIDTH_A, ad_a[3:0]), mask_a);
+      if (CEB && WEB)
+        words[ad_b[13:4]] = written(words[ad_b[13:4]], di_b << place(DATA_WIDTH_B, ad_b[3:0]), mask_b);
     end
   end
 endmodule

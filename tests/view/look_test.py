@@ -92,6 +92,8 @@ class Look(PageCase):
         self.assertEqual(query["aperture"], "3")
         self.assertEqual(query["focus"], self.browser.element("focus").get_attribute("max"))
         self.frame_is_that_of_render()
+        self.browser.script("const blur = document.getElementById('blur'); blur.value = 1.4; blur.dispatchEvent(new Event('input'))")
+        self.browser.until("a link", lambda: "aperture=1.4&geometry=stream" in self.browser.page.current_url)
 
     def test_a_click_sets_the_focus_there(self):
         self.open("#aperture=1&geometry=plane")

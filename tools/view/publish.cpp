@@ -1,15 +1,14 @@
-// hmlfc publish: a light field as a folder of files for any web server, drawn in the visitor's
-// browser.
+// hmlfc publish: a light field as files for any web server, drawn in the visitor's browser.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +19,7 @@
 #include "cli/render_backend.hpp"
 #include "conform/block_commands.hpp"
 #include "conform/report.hpp"
+#include "conform/work_folder.hpp"
 #include "io/files.hpp"
 #include "io/image_files.hpp"
 #include "syntax/geometry.hpp"
@@ -32,11 +32,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSign = "hmlfc publish";
-// The page until all is written: with the sign, for another run after an interrupted one.
-constexpr std::string_view kUnfinished =
-    "<!doctype html><!-- hmlfc publish --><p>Not yet published.\n";
 constexpr std::string_view kStream = "light-field.hmlfc";
-constexpr unsigned kLoopRate = 10;  // frames per second
+constexpr std::string_view kUnfinished = ".hmlfc-publish";  // what is made, until all is
+constexpr unsigned kLoopRate = 10;                          // frames per second
 constexpr int kLoopFrames = 30;
 constexpr uint32_t kLoopSide = 320;                 // pixels of its longer side, at most
 constexpr uint32_t kStillSide = 1200;               // likewise
@@ -44,9 +42,9 @@ constexpr uint64_t kMostBytes = uint64_t{1} << 31;  // MOST of ranged_file.js
 constexpr int kAperture = 1;                        // of the page, where none is told
 
 // The page's modules that other pages share, and its own.
-constexpr std::array<std::string_view, 9> kPageFiles{
+constexpr std::array<std::string_view, 10> kPageFiles{
     "player.js",   "live_view.js", "gpu_frames.js", "look_controls.js", "tilt.js",
-    "palette.css", "look.css",     "dom.js",        "gestures.js"};
+    "palette.css", "look.css",     "camera.js",     "dom.js",           "gestures.js"};
 // What is next to the kernels and for decoding blocks alone.
 constexpr std::array<std::string_view, 5> kOtherFiles{"batch.js", "colour.wgsl", "hmlfc_gpu.js",
                                                       "samples.wgsl", "walk.wgsl"};
@@ -77,22 +75,20 @@ fs::path browser_folder() {
 }
 
 // `page` with the value of each name in place of {{name}}.
-std::string filled(std::string_view page,
-                   const std::vector<std::pair<std::string_view, std::string>>& values) {
-  std::string text(page);
-  for (const auto& [name, value] : values) {
-    const std::string place = fmt::format("{{{{{}}}}}", name);
-    for (size_t at = text.find(place); at != text.npos; at = text.find(place, at + value.size())) {
-      text.replace(at, place.size(), value);
-    }
+std::string filled(std::string_view page, const std::map<std::string_view, std::string>& values) {
+  std::string text;
+  for (size_t begin = page.find("{{"); begin != page.npos; begin = page.find("{{")) {
+    const size_t end = page.find("}}", begin);
+    text += page.substr(0, begin);
+    text += values.at(page.substr(begin + 2, end - begin - 2));
+    page.remove_prefix(end + 2);
   }
-  return text;
+  return text.append(page);
 }
 
 // The frame size of a view, made smaller until its longer side has `most` pixels.
 void set_size(Camera& camera, const StreamHeader& header, uint32_t most) {
-  const double longer = std::max(header.width, header.height);
-  const double scale = std::min(1.0, most / longer);
+  const double scale = std::min(1.0, most / (1.0 * std::max(header.width, header.height)));
   camera.frame_width = std::max(1u, static_cast<uint32_t>(std::lround(header.width * scale)));
   camera.frame_height = std::max(1u, static_cast<uint32_t>(std::lround(header.height * scale)));
 }
@@ -104,8 +100,9 @@ class Publication {
     const std::string name = options.file.string();
     const auto refuse = [&](const char* why) { throw Failure(ExitCode::kUsage, name + why); };
     const std::string& address = options.address;
-    if (!address.empty() && !address.starts_with("https://") && !address.starts_with("http://")) {
-      throw Failure(ExitCode::kUsage, "--address: begins with https:// or http://");
+    const bool web = address.starts_with("https://") || address.starts_with("http://");
+    if (!address.empty() && (!web || address.find_first_of(" ?#\"\\<>") != address.npos)) {
+      throw Failure(ExitCode::kUsage, "--address: begins with https:// and is that of a folder");
     }
     if (file_.is_remote()) refuse(": publish a file, not an address");
     if (file_.size() > kMostBytes) {
@@ -129,62 +126,69 @@ class Publication {
   }
 
   void write() {
-    const fs::path app = options_.output / "app";
-    const auto kernels = kernel_files();
-    prepare(app, kernels);
-    write_text(options_.output / "index.html", kUnfinished);
-    for (const fs::path& file : kernels) copy(file, app / file.filename());
-    for (const std::string_view name : kPageFiles) write_asset(name, app);
-    write_asset("embed.js", options_.output);
-    copy(options_.file, options_.output / kStream);
+    const fs::path& folder = options_.output;
+    make_output_folder(folder, {"index.html", "still.png", "loop.png"},
+                       {kSign, options_.force, {options_.file}});
+    for (const auto& entry : fs::directory_iterator(folder)) {  // of runs that were interrupted
+      if (entry.path().filename().string().starts_with(kUnfinished))
+        conform::remove_tree(entry.path());
+    }
+    const conform::WorkFolder made(folder / kUnfinished);
+    if (made.error()) throw Failure(ExitCode::kOutput, folder.string() + ": cannot be written");
+    made_ = made.path();
+    write_programs();
+    std::error_code ignored;
+    if (!fs::equivalent(options_.file, folder / kStream, ignored)) copy(options_.file, kStream);
+    // A folder whose page this command wrote may be replaced, all of it.
+    const bool own = fs::exists(folder / "index.html");
+    if (!own) check_replaceable(files(folder), {"", options_.force});
     write_pictures();
     write_page();
+    put_in_place();
   }
 
  private:
-  // Kernels and module, of which some are for decoding blocks alone.
-  std::vector<fs::path> kernel_files() const {
+  // What is made, in `folder`.
+  std::vector<fs::path> files(const fs::path& folder = {}) const {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(modules_)) {
-      const std::string name = entry.path().filename().string();
-      if (std::ranges::find(kOtherFiles, name) == kOtherFiles.end()) files.push_back(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(made_)) {
+      const fs::path file = entry.path().lexically_relative(made_);
+      if (entry.is_regular_file()) files.push_back(folder / file);
     }
     return files;
   }
 
-  // Makes the folders. One whose page this command wrote may be replaced, all of it.
-  void prepare(const fs::path& app, const std::vector<fs::path>& kernels) const {
-    const fs::path& folder = options_.output;
-    const std::vector<std::string> signed_files{"index.html", "still.png", "loop.png"};
-    make_output_folder(folder, signed_files, {kSign, options_.force, {options_.file}});
-    if (!fs::exists(folder / "index.html")) {
-      std::vector<fs::path> others{folder / "embed.js", folder / kStream};
-      for (const fs::path& file : kernels) others.push_back(app / file.filename());
-      for (const std::string_view name : kPageFiles) others.push_back(app / name);
-      std::erase_if(others, [&](const fs::path& file) { return is_stream(file); });
-      check_replaceable(others, {"", options_.force});
+  // The page first: it has the sign, for another run should this one end in between.
+  void put_in_place() const {
+    make_output_folder(options_.output / "app");
+    std::vector<fs::path> made = files();
+    std::ranges::partition(made, [](const fs::path& file) { return file == "index.html"; });
+    for (const fs::path& file : made) {
+      std::error_code failure;
+      fs::rename(made_ / file, options_.output / file, failure);
+      if (failure) throw Failure(ExitCode::kOutput, file.string() + ": " + failure.message());
     }
-    make_output_folder(app);
   }
 
-  bool is_stream(const fs::path& file) const {
-    std::error_code ignored;
-    return fs::equivalent(options_.file, file, ignored);
+  void write_programs() const {
+    make_output_folder(made_ / "app");
+    for (const auto& entry : fs::directory_iterator(modules_)) {
+      const std::string name = entry.path().filename().string();
+      if (std::ranges::find(kOtherFiles, name) == kOtherFiles.end())
+        copy(entry.path(), "app/" + name);
+    }
+    for (const auto name : kPageFiles) put("app" / fs::path(name), view::find_asset(name)->content);
+    put("embed.js", view::find_asset("embed.js")->content);
   }
 
   void copy(const fs::path& from, const fs::path& to) const {
-    if (from == options_.file && is_stream(to)) return;
     const auto file = value_or_throw(io::map_file(from), ExitCode::kInput);
-    value_or_throw(io::write_file(to, file.bytes()), ExitCode::kOutput);
+    value_or_throw(io::write_file(made_ / to, file.bytes()), ExitCode::kOutput);
   }
 
-  static void write_text(const fs::path& path, std::string_view text) {
+  void put(const fs::path& name, std::string_view text) const {
     const auto* bytes = reinterpret_cast<const uint8_t*>(text.data());
-    value_or_throw(io::write_file(path, {bytes, text.size()}), ExitCode::kOutput);
-  }
-
-  static void write_asset(std::string_view name, const fs::path& folder) {
-    write_text(folder / name, view::find_asset(name)->content);
+    value_or_throw(io::write_file(made_ / name, {bytes, text.size()}), ExitCode::kOutput);
   }
 
   // `part`: of the greatest field of view that a view fills.
@@ -210,9 +214,8 @@ class Publication {
     focus_range_ = {std::max(-256.0, least - aside), std::min(256.0, most + aside)};
     CameraOptions& cameras = options_.cameras;
     const BlockDisparity& middle = map->at(header.width / 2u, header.height / 2u);
-    if (cameras.focus || cameras.focus_at || cameras.focus_at_infinity || middle.confidence == 0) {
-      return;
-    }
+    const bool told = cameras.focus || cameras.focus_at || cameras.focus_at_infinity;
+    if (told || middle.confidence == 0) return;
     const double focus = static_cast<double>(middle.disparity) / kDisparityUnits;
     cameras.focus = {focus, focus};
   }
@@ -226,7 +229,7 @@ class Publication {
     const RgbImage still = frame(*renderer, sharp, kStillSide);
     still_size_ = {still.width, still.height};
     const std::string sign(kSign);
-    value_or_throw(io::write_png(options_.output / "still.png", still, sign), ExitCode::kOutput);
+    value_or_throw(io::write_png(made_ / "still.png", still, sign), ExitCode::kOutput);
     CameraOptions loop = options_.cameras;
     loop.path = "orbit";
     loop.frames = kLoopFrames;
@@ -247,8 +250,7 @@ class Publication {
       progress.update(frames.size(), kLoopFrames);
     }
     progress.clear();
-    value_or_throw(io::write_apng(options_.output / "loop.png", frames, kLoopRate, sign),
-                   ExitCode::kOutput);
+    value_or_throw(io::write_apng(made_ / "loop.png", frames, kLoopRate, sign), ExitCode::kOutput);
   }
 
   void write_page() const {
@@ -258,22 +260,23 @@ class Publication {
     const double near = std::min(focus_range_[0], camera_.focus);
     const double far = std::max(focus_range_[1], camera_.focus);
     const WorldPoint& at = *camera_.position;
-    write_text(options_.output / "index.html",
-               filled(view::find_asset("player.html")->content,
-                      {{"title", conform::escaped(options_.title.empty() ? name : options_.title)},
-                       {"text", conform::escaped(options_.text)},
-                       {"address", conform::escaped(address)},
-                       {"width", std::to_string(still_size_[0])},
-                       {"height", std::to_string(still_size_[1])},
-                       {"camera", fmt::format("{},{},{}", at.u, at.v, at.z)},
-                       {"focus", fmt::format("{}", camera_.focus)},
-                       {"aperture", std::to_string(camera_.aperture)},
-                       {"near", fmt::format("{:.2f}", near)},
-                       {"far", fmt::format("{:.2f}", far)}}));
+    put("index.html",
+        filled(view::find_asset("player.html")->content,
+               {{"title", conform::escaped(options_.title.empty() ? name : options_.title)},
+                {"text", conform::escaped(options_.text)},
+                {"address", conform::escaped(address)},
+                {"width", std::to_string(still_size_[0])},
+                {"height", std::to_string(still_size_[1])},
+                {"camera", fmt::format("{},{},{}", at.u, at.v, at.z)},
+                {"focus", fmt::format("{}", camera_.focus)},
+                {"aperture", std::to_string(camera_.aperture)},
+                {"near", fmt::format("{:.2f}", near)},
+                {"far", fmt::format("{:.2f}", far)}}));
   }
 
   PublishOptions options_;
   fs::path modules_;
+  fs::path made_{};  // what is to come into the folder
   StreamFile file_;
   Camera camera_;
   std::optional<std::array<double, 2>> scene_{};  // the disparities there are
@@ -284,8 +287,8 @@ class Publication {
 ExitCode run_publish(const PublishOptions& options) {
   Publication(options).write();
   print(fmt::format(
-      "{0}: copy this folder to a web server, best one that answers requests for ranges; here:\n"
-      "  python3 -m http.server -d {0} 8000    # then open http://127.0.0.1:8000/\n",
+      "{0}: copy this folder to a web server with https, best one that answers requests for\n"
+      "ranges; here: python3 -m http.server -d {0} 8000    # then open http://127.0.0.1:8000/\n",
       conform::shell_word(options.output.string())));
   return ExitCode::kDone;
 }
@@ -297,9 +300,9 @@ void add_publisher(CLI::App& program, Task& task) {
       program, task, "publish", "Make a web page that draws a light field in the visitor's browser",
       run_publish,
       R"(The folder holds the page, the stream as it is, which browsers fetch by ranges, a picture and a
-moving one for previews, and loads nothing from elsewhere. Browsers without WebGPU show the moving
-picture. In another page: <iframe src="SITE/index.html">, or SITE/embed.js and
-<light-field src="SITE/">.
+moving one for previews, and loads nothing from elsewhere. Browsers without WebGPU, which they have
+on https:// alone, show the moving picture. In another page: <iframe src="SITE/index.html">, or
+SITE/embed.js and <light-field src="SITE/">.
 
 Example:
   hmlfc publish chess.hmlfc -o site --title "Chess" --text "17 x 17 photographs")");

@@ -10,13 +10,6 @@ export function address(path, query = {}) {
 }
 
 /**
- * The page's own address with a link to what is shown.
- * @param {string} mode @param {Query} query
- */
-export const linkTo = (mode, query) =>
-  `#${Object.entries({ mode, ...query }).map(([name, value]) => `${name}=${value}`).join("&")}`;
-
-/**
  * The answer, or an Error with the text that the server gives.
  * @param {string} path @param {Query} query
  */

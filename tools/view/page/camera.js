@@ -21,7 +21,9 @@ export function middleCamera(stream) {
  * @param {Camera} camera @param {number} width @param {number} height @returns {Query}
  */
 export function cameraQuery(camera, width, height) {
-  return { ...placeQuery({ ...camera, aperture: Math.round(camera.aperture) }), size: `${width}x${height}` };
+  const aperture = Math.round(camera.aperture);
+  const geometry = aperture > 0 ? "plane" : camera.geometry;
+  return { ...placeQuery({ ...camera, aperture, geometry }), size: `${width}x${height}` };
 }
 
 /**
@@ -38,12 +40,18 @@ export function placeQuery(camera) {
   }
   query.focus = rounded(camera.focus);
   query.aperture = rounded(camera.aperture);
-  query.geometry = camera.aperture > 0 ? "plane" : camera.geometry;
+  query.geometry = camera.geometry;
   query.filter = camera.filter;
   if (camera.levels > 0) query.levels = camera.levels;
   if (camera.fov !== null) query.fov = rounded(camera.fov);
   return query;
 }
+
+/**
+ * The link in the page's own address to what is shown.
+ * @param {Query} query
+ */
+export const linkTo = (query) => `#${Object.entries(query).map(([name, value]) => `${name}=${value}`).join("&")}`;
 
 /**
  * Sets what `query` says; what it leaves out stays.

@@ -43,6 +43,17 @@ export const within = (x, lo, hi) => Math.max(lo, Math.min(hi, x));
 
 const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
+/**
+ * Whether another try may help; if so, after a while.
+ * @param {Error} error
+ */
+export async function mayHelp(error) {
+  if (error.name !== "NetworkError") return false;
+  say("notice", `Waiting: ${error.message}.`);
+  await new Promise((next) => setTimeout(next, AGAIN));
+  return true;
+}
+
 export class LiveView {
   /** @param {Frames} frames */
   constructor(frames) {
@@ -99,7 +110,7 @@ export class LiveView {
   }
 
   /**
-   * The idle camera: a slow ellipse that begins where it is.
+   * The idle camera: a slow ellipse that begins where it is, and comes away from the border.
    * @param {number} now
    */
   circle(now) {
@@ -107,12 +118,14 @@ export class LiveView {
       this.movingSince = now;
       this.centre = { ...this.camera };
     }
-    const { cols, rows } = this.facts;
-    const angle = ((now - this.movingSince) / ROUND) * 2 * Math.PI;
-    const [a, b] = [0.35 * (cols - 1), 0.25 * (rows - 1)];
-    const place = (/** @type {number} */ x, /** @type {number} */ last) => within(Math.round(x / STEP) * STEP, 0, last);
-    const u = place(this.centre.u + a * Math.sin(angle), cols - 1);
-    const v = place(this.centre.v + b * Math.sin(2 * angle) / 2, rows - 1);
+    const rounds = (now - this.movingSince) / ROUND;
+    const place = (/** @type {number} */ from, /** @type {number} */ count, /** @type {number} */ part, /** @type {number} */ swing) => {
+      const [last, reach] = [count - 1, part * (count - 1)];
+      const centre = from + (within(from, reach, last - reach) - from) * Math.min(1, 2 * rounds);
+      return within(Math.round((centre + reach * Math.sin(2 * Math.PI * swing * rounds)) / STEP) * STEP, 0, last);
+    };
+    const u = place(this.centre.u, this.facts.cols, 0.35, 1);
+    const v = place(this.centre.v, this.facts.rows, 0.125, 2);
     if (u !== this.camera.u || v !== this.camera.v) this.put({ u, v });
   }
 
@@ -143,18 +156,12 @@ export class LiveView {
     this.drawing = false;
   }
 
-  /**
-   * Until another try may help.
-   * @param {Error} error
-   */
+  /** @param {Error} error */
   async wait(error) {
-    if (error.name !== "NetworkError") {
-      this.rest();
-      return this.failed(error);
-    }
-    say("notice", `Waiting: ${error.message}.`);
-    await new Promise((next) => setTimeout(next, AGAIN));
-    this.wanted = true;
+    this.wanted = await mayHelp(error);
+    if (this.wanted) return;
+    this.rest();
+    this.failed(error);
   }
 
   /** @param {number | undefined} input when its input came */
@@ -234,12 +241,15 @@ export class LiveView {
     });
   }
 
+  /** Columns to the farthest place from the views: there, from their middle, what they see still fills the frame. */
+  reach() {
+    const { rows, cols, width, height } = this.facts;
+    return Math.max(1, Math.max(width, height) * Math.min((cols - 1) / width, (rows - 1) / height));
+  }
+
   /** @param {number} columns */
   advance(columns) {
-    const { rows, cols, width, height } = this.facts;
-    // From the middle of the views, what they see fills the frame as far as this.
-    const full = Math.max(width, height) * Math.min((cols - 1) / width, (rows - 1) / height);
-    const reach = Math.max(1, full, Math.abs(this.camera.z));
+    const reach = Math.max(this.reach(), Math.abs(this.camera.z));
     this.change({ z: within(this.camera.z + columns, -reach, reach) });
   }
 

@@ -115,7 +115,7 @@ export class Look {
   }
 
   /** @param {import("./server_frames.js").ServerShown} shown @param {number | undefined} begin when its input came */
-  shown({ half, exact, cost, query }, begin) {
+  shown({ half, cost, query }, begin) {
     const end = performance.now();
     if (begin !== undefined) {
       performance.measure("input to picture", { start: begin, end, detail: { half, keySamples: cost.key_samples } });
@@ -131,7 +131,7 @@ export class Look {
     any("seconds").textContent = `${(cost.seconds * 1000).toFixed(1)} ms`;
     for (const name of ["needed", "decoded", "reused", "touched", "key_samples"]) any(name).textContent = grouped(cost[name]);
     this.map.draw({ used: this.views, camera: this.camera() });
-    if (!exact || this.view.wanted || this.view.moving) return;
+    if (half || this.view.wanted || this.view.moving) return;
     this.moved(this.link());
     if (this.panel.open) void this.panel.ask();
   }

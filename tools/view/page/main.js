@@ -1,5 +1,6 @@
 // The page: what it shows of which stream, and the link to it in the address.
-import { announcePage, askJson, linkTo } from "./ask.js";
+import { announcePage, askJson } from "./ask.js";
+import { linkTo } from "./camera.js";
 import { any, say } from "./dom.js";
 import { Into } from "./into.js";
 import { Look } from "./look.js";
@@ -25,6 +26,7 @@ function describe(stream) {
   document.title = `${stream.name} – hmlfc view`;
   any("name").textContent = stream.name;
   say("warning", [stream.error, stream.warning].filter(Boolean).join("\n"));
+  for (const mode of MODES) any(`mode-${mode}`).hidden = Boolean(stream.error);
   if (stream.error) return;
   any("shape").textContent = `${stream.rows} × ${stream.cols} views of ${stream.width} × ${stream.height}`;
   any("coding").textContent = `, ${stream.depth} bits · ${stream.coding}`;
@@ -38,7 +40,7 @@ async function begin() {
   /** @type {Record<string, string>} */
   const links = { look: "#mode=look" };
   const keep = (/** @type {string} */ mode) => (/** @type {import("./ask.js").Query} */ query) => {
-    links[mode] = linkTo(mode, query);
+    links[mode] = linkTo({ mode, ...query });
     if (!any(mode).hidden) history.replaceState(null, "", links[mode]);
   };
   for (const mode of MODES) showMode(mode); // both have to be seen once, to be laid out
@@ -50,10 +52,13 @@ async function begin() {
     showMode(mode);
     shows[mode].open(link);
   };
-  addEventListener("hashchange", open);
+  addEventListener("hashchange", () => {
+    open();
+    any(any("into").hidden ? "frame" : "picture").focus({ preventScroll: true }); // which takes the keys
+  });
   any("mode-look").addEventListener("click", () => (location.hash = links.look));
   any("mode-into").addEventListener("click", () => {
-    links.into ??= linkTo("into", look.nearestView());
+    links.into ??= linkTo({ mode: "into", ...look.nearestView() });
     location.hash = links.into;
   });
   open();

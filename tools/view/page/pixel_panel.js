@@ -1,5 +1,6 @@
 // How a pixel of the frame comes about, as `hmlfc render --trace` has it.
-import { askJson, linkTo } from "./ask.js";
+import { askJson } from "./ask.js";
+import { linkTo } from "./camera.js";
 import { clauseButton } from "./clauses.js";
 import { any, canvas, input, make, numberIn, placeOn, say } from "./dom.js";
 
@@ -19,7 +20,7 @@ function viewLink(stage, stream, frame) {
   const block = [side(last("xi"), last("x(c, E)"), stream.width), side(last("yi"), last("y(r, E)"), stream.height)];
   const view = `${stage.view.row},${stage.view.col}`;
   const place = { view, ...("levels" in frame ? { levels: frame.levels } : {}), plane: "Y", block: block.join(",") };
-  return make("a", { href: linkTo("into", place), title: `Look into view ${view}, block ${place.block}` }, view);
+  return make("a", { href: linkTo({ mode: "into", ...place }), title: `Look into view ${view}, block ${place.block}` }, view);
 }
 
 /**
