@@ -19,7 +19,7 @@ inside() {
   dpkg --add-architecture "${1/aarch64/arm64}"
   apt-get -q update
   for name in "${names[@]}"; do
-    if [[ $name =~ ^z?lib ]] && ! apt-cache show "$name" | grep -q '^Architecture: all'; then name+=":${1/aarch64/arm64}"; fi
+    if [[ $name =~ ^z?lib && $(apt-cache show "$name") != *$'\n'"Architecture: all"* ]]; then name+=":${1/aarch64/arm64}"; fi
     packages+=("$name")
   done
   apt-get -q install -y --no-install-recommends "${packages[@]}" "g++-$system" qemu-user
