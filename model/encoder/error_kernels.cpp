@@ -26,14 +26,18 @@ inline V add_product(V sum, V a, V b) {
   return hn::Add(sum, hn::Mul(a, b));
 }
 
-// Writes the sums of four lanes each.
+// Writes the sums of four lanes each; where vectors have one, adds that of column x.
 template <unsigned kLanes, class V>
-inline void put(V columns, uint32_t* out) {
+inline void put(V columns, unsigned x, uint32_t* out) {
   int32_t sums[kLanes];
   hn::StoreU(columns, hn::FixedTag<int32_t, kLanes>(), sums);
-  for (unsigned i = 0; i < kLanes; i += 4) {
-    out[i / 4] = static_cast<uint32_t>(sums[i]) + static_cast<uint32_t>(sums[i + 1]) +
-                 static_cast<uint32_t>(sums[i + 2]) + static_cast<uint32_t>(sums[i + 3]);
+  if constexpr (kLanes == 1) {
+    *out = (x % 4 == 0 ? 0 : *out) + static_cast<uint32_t>(sums[0]);
+  } else {
+    for (unsigned i = 0; i < kLanes; i += 4) {
+      out[i / 4] = static_cast<uint32_t>(sums[i]) + static_cast<uint32_t>(sums[i + 1]) +
+                   static_cast<uint32_t>(sums[i + 2]) + static_cast<uint32_t>(sums[i + 3]);
+    }
   }
 }
 
@@ -47,7 +51,7 @@ void one_prediction(const SquareRow& row, const int16_t* predicted, unsigned x, 
                               predicted + j * row.predicted_stride + x);
     sum = add_product(sum, d, d);
   }
-  put<kLanes>(sum, out + x / 4);
+  put<kLanes>(sum, x, out + x / 4);
 }
 
 // Likewise. The squared error of a mean follows from products of the errors of its two parts.
@@ -79,14 +83,14 @@ void all_sets(const SquareRow& row, const int16_t* const* predicted, unsigned x,
     return hn::ShiftRight<2>(hn::Add(squares, hn::Set(lanes, 4)));
   };
   out += x / 4;
-  put<kLanes>(s0, out);
-  put<kLanes>(mean(s0, s1, s01), out + stride);
-  put<kLanes>(mean(s0, s2, s02), out + 2 * stride);
-  put<kLanes>(s1, out + 3 * stride);
-  put<kLanes>(s2, out + 4 * stride);
-  put<kLanes>(mean(s1, s2, s12), out + 5 * stride);
-  put<kLanes>(mean(s0, s3, s03), out + 6 * stride);
-  put<kLanes>(s3, out + 7 * stride);
+  put<kLanes>(s0, x, out);
+  put<kLanes>(mean(s0, s1, s01), x, out + stride);
+  put<kLanes>(mean(s0, s2, s02), x, out + 2 * stride);
+  put<kLanes>(s1, x, out + 3 * stride);
+  put<kLanes>(s2, x, out + 4 * stride);
+  put<kLanes>(mean(s1, s2, s12), x, out + 5 * stride);
+  put<kLanes>(mean(s0, s3, s03), x, out + 6 * stride);
+  put<kLanes>(s3, x, out + 7 * stride);
 }
 
 // Columns from x on: kLanes at a time, then half as many, down to four.
