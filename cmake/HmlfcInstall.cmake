@@ -34,7 +34,7 @@ if(NOT tl-expected_FOUND)
   install(DIRECTORY fallback/tl-expected/tl DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev)
 endif()
 if(HMLFC_WGSL)
-  install(DIRECTORY "${HMLFC_WGSL}/" DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/wgsl" COMPONENT dev)
+  install(DIRECTORY "${HMLFC_WGSL}/" DESTINATION "${CMAKE_INSTALL_DATADIR}/hmlfc/wgsl" COMPONENT tools)
 endif()
 install(DIRECTORY model/include/hmlfc
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
@@ -133,7 +133,7 @@ install(FILES
 
 # What the rules above install.
 add_custom_target(hmlfc_installed)
-foreach(target hmlfc hmlfc_shared hmlfc_gpu hmlfc_cli hmlfc_python hmlfc_dpi_shared)
+foreach(target hmlfc hmlfc_shared hmlfc_gpu hmlfc_cli hmlfc_python hmlfc_dpi_shared hmlfc_wgsl hmlfc_site)
   if(TARGET ${target})
     add_dependencies(hmlfc_installed ${target})
   endif()
