@@ -21,7 +21,7 @@ export class GpuFrames {
     const { camera, focus, aperture, near, far } = document.body.dataset;
     const [u, v, z = 0] = (camera ?? "").split(",").map(Number);
     /** @type {Camera} */
-    this.start = { u, v, z, turnX: 0, turnY: 0, focus: Number(focus), aperture: Number(aperture) };
+    this.start = { u, v, z, turnX: 0, turnY: 0, focus: Number(focus), aperture: Number(aperture), geometry: this.facts.geometry === 1 ? "stream" : "plane" };
     this.slow = 0; // frames, up to now
     this.depths = /** @type {[number, number]} */ ([Number(near), Number(far)]);
   }

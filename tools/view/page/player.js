@@ -79,12 +79,12 @@ function open(view) {
 }
 
 /**
- * The link to what is shown, for `view` and `render` too.
+ * The link to what is shown, which `view` takes too.
  * @param {LiveView} view
  */
 function keep(view) {
   if (view.moving || view.wanted || view.glide) return;
-  const camera = { ...middleCamera({ ...view.facts, geometry: "stream" }), ...view.camera };
+  const camera = { ...middleCamera(view.facts), ...view.camera };
   history.replaceState(null, "", linkTo(placeQuery(camera)));
 }
 
