@@ -24,9 +24,7 @@ pack_vectors() {
 # run_package [FOLDER]: the Debian packages (cmake/HmlfcPackages.cmake).
 run_package() {
   local folder=${1:-$root/out/packages} made=$build/packages
-  install_packages build package page
-  # CMake has looked for the compiler of pages before it came.
-  if [[ ! -f $build/gpu_ref/wgsl/hmlfc_stream.wasm ]]; then rm -f "$build/settings"; fi
+  install_for_pages package
   build hmlfc_installed
   rm -rf "$made"
   (cd "$build" && stage cpack "$build/cpack.log" cpack -B "$made")

@@ -37,6 +37,7 @@ g++ -std=c++20 decode_block.cpp $(pkg-config --cflags --libs hmlfc) -o decode_bl
 cmake -S . -B cmake && cmake --build cmake && cmake/decode_view my.hmlfc 1 2 static.ppm frame.ppm
 cmp view.ppm static.ppm
 hmlfc decode my.hmlfc --view 1,2 -o decoded
+hmlfc publish my.hmlfc -o site && test -s site/index.html
 """
 LISTS = """cmake_minimum_required(VERSION 3.25)
 project(p C CXX)
