@@ -71,6 +71,22 @@ void CellErrors::run(int32_t* errors, size_t stride) {
   }
 }
 
+void CellErrors::of_vector(const PaletteEntry& symbol, int32_t* errors) {
+  const size_t k = references_of_set(symbol.reference_set).reference[0];
+  interpolate_rect(
+      {displaced(*task_.references[k], static_cast<int32_t>(gx_ * side_),
+                 static_cast<int32_t>(gy_ * side_), sources_.vector(k, symbol, 0, false))},
+      1, bound_, {predicted_[0].data(), kMaxColumns, columns_, rows_});
+  std::fill_n(errors, cells_, 0);
+  for (uint32_t y = 0; y < rows_; y += 4) {
+    square_errors(squares_at(0, cells_, y, false), &predicted_[0][y * kMaxColumns],
+                  squares_.data());
+    for (uint32_t k4 = 0; k4 < ceil_div(columns_, 4u); ++k4) {
+      errors[4 * k4 / side_] += estimate(squares_[k4]);
+    }
+  }
+}
+
 // The first choice that has the disparity of `choice` in a cell.
 unsigned CellErrors::first_alike(uint32_t cell, unsigned choice) const {
   unsigned alike = 1;

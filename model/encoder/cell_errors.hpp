@@ -27,6 +27,10 @@ class CellErrors {
   /// Writes the ResidualEstimates of the cells under symbol s from errors[s * stride] on.
   void run(int32_t* errors, size_t stride);
 
+  /// Writes those under `symbol`, whose choice is kChoiceVector and whose reference is one, from
+  /// errors[0] on.
+  void of_vector(const PaletteEntry& symbol, int32_t* errors);
+
  private:
   static constexpr uint32_t kMaxColumns = 128;  // of a motion tile
   static constexpr uint32_t kMaxRows = 8;       // of a cell

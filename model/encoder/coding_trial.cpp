@@ -21,45 +21,55 @@ namespace {
 constexpr double kRecordBits = 10;
 constexpr double kTileBits = 2;
 
-// An image, and how many views it is from its reference.
+// Places among images alike follow each other at the golden section of their number.
+constexpr ptrdiff_t kGolden = 55;
+constexpr ptrdiff_t kGoldenWhole = 89;
+
+// An image, and how far its references are.
 struct Displaced {
   int32_t distance;
   ImagePos at;
 };
 
-Displaced displaced_from_reference(const Geometry& geometry, ImagePos at) {
-  const ImagePos reference = geometry.reference_of(0, at);
-  return {std::abs(row_offset(reference, at)) + std::abs(col_offset(reference, at)), at};
+int32_t views_apart(ImagePos a, ImagePos b) {
+  return std::abs(row_offset(a, b)) + std::abs(col_offset(a, b));
 }
 
-// At most `count` predictive images of the first two rows and columns of groups, as near to their
-// references and as far from them as images of the whole grid are: the first groups may be larger.
+// The first reference counts most.
+Displaced displaced_from_references(const Geometry& geometry, ImagePos at) {
+  const ReferenceImages places = reference_images(geometry, 0, at);
+  return {4 * views_apart(places[0], at) + views_apart(places[1], at), at};
+}
+
+// At most `count` predictive images of the last two rows and columns of groups, which are no
+// smaller than others (EXT-3), as far from their references as images of the whole grid are.
 std::vector<ImagePos> spread_images(const Geometry& geometry, size_t count) {
   const LevelShape& level = geometry.level(0);
   std::vector<Displaced> all;
   for (uint32_t r = 0; r < level.rows; ++r) {
     for (uint32_t c = 0; c < level.cols; ++c) {
       if (geometry.is_reference(0, {r, c})) continue;
-      all.push_back(displaced_from_reference(geometry, {r, c}));
+      all.push_back(displaced_from_references(geometry, {r, c}));
     }
   }
   std::ranges::stable_sort(all, {}, &Displaced::distance);
-  std::vector<Displaced> first;
-  std::ranges::copy_if(all, std::back_inserter(first), [&](const Displaced& image) {
+  std::vector<Displaced> last;
+  std::ranges::copy_if(all, std::back_inserter(last), [&](const Displaced& image) {
     const ImagePos group = geometry.group_of(0, image.at);
-    return group.row <= 1 && group.col <= 1;
+    return group.row + 2 >= level.group_rows() && group.col + 2 >= level.group_cols();
   });
   std::vector<ImagePos> images;
   for (const Displaced& wanted : evenly_spread(all, count)) {
-    if (first.empty()) break;
+    if (last.empty()) break;
     const auto apart = [&](const Displaced& image) {
       return std::abs(image.distance - wanted.distance);
     };
-    const int32_t nearest = std::ranges::min_element(first, {}, apart)->distance;
-    const auto alike = std::ranges::equal_range(first, nearest, {}, &Displaced::distance);
-    const auto chosen = alike.begin() + std::ssize(alike) / 2;
+    const int32_t nearest = std::ranges::min_element(last, {}, apart)->distance;
+    const auto alike = std::ranges::equal_range(last, nearest, {}, &Displaced::distance);
+    const auto turn = std::ssize(images) * kGolden % kGoldenWhole;
+    const auto chosen = alike.begin() + std::ssize(alike) * turn / kGoldenWhole;
     images.push_back(chosen->at);
-    first.erase(chosen);
+    last.erase(chosen);
   }
   return images;
 }

@@ -239,7 +239,7 @@ class ExtendedLevel final : public LevelDecisions {
   std::vector<MotionTileCode> decide_tiles(const MotionSources& sources, const SamplePlane& luma) {
     const SamplePlane target = motion_target(sources.at, luma);
     return decide_motion({sources, target, reference_planes(sources.places, 0),
-                          settings_.effort.choices, settings_.lambda});
+                          settings_.effort.choices, settings_.effort.vectors, settings_.lambda});
   }
 
   const Settings& settings_;

@@ -1,17 +1,22 @@
 #include "encoder/motion_decision.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <functional>
 #include <numeric>
 
 #include "arithmetic/bise.hpp"
 #include "arithmetic/rounding.hpp"
 #include "bits/parallel.hpp"
 #include "encoder/cell_errors.hpp"
+#include "encoder/vector_search.hpp"
 
 namespace hmlfc {
 namespace {
 
 constexpr unsigned kMaxMotionLog2 = 5;
+// About what the two fields of a vector take, at least.
+constexpr unsigned kLeastVectorBits = 14;
 
 // Errors [symbol][block] of the motion blocks of one size in one tile. Those of a tile under one
 // symbol add up to less than 2^30: at the coarsest quality an estimate is at most 10^6.
@@ -21,6 +26,27 @@ struct BlockErrors {
   std::vector<int32_t> errors;
 
   size_t count() const { return size_t{columns} * rows; }
+
+  // Of each block, under the symbol that leaves least.
+  std::vector<int32_t> least() const {
+    std::vector<int32_t> least(errors.begin(), errors.begin() + static_cast<ptrdiff_t>(count()));
+    for (size_t first = count(); first < errors.size(); first += count()) {
+      for (size_t b = 0; b < count(); ++b) least[b] = std::min(least[b], errors[first + b]);
+    }
+    return least;
+  }
+};
+
+// The fields explicit_x and explicit_y of a palette (MOT-3).
+struct ExplicitFields {
+  unsigned bits = 0;  // of each
+  unsigned count = 0;
+
+  ExplicitFields with(const PaletteEntry& entry) const {
+    if (entry.choice != kChoiceVector) return *this;
+    return {std::max(bits, explicit_bits(entry)), count + 2};
+  }
+  int64_t all() const { return int64_t{bits} * count; }
 };
 
 // The cheapest palette of one tile with blocks of one size, built one symbol at a time, if its cost
@@ -38,8 +64,7 @@ class PaletteDecision {
         best_cost_(most) {}
 
   void run() {
-    std::vector<int32_t> floor = least_;
-    for (size_t s = 0; s < symbols_.size(); ++s) lower(floor, s);
+    const std::vector<int32_t> floor = blocks_.least();
     // One more symbol may pay only together with the next one, as level counts grow in steps: the
     // search goes on while symbols reduce the error, and all of them could.
     while (palette_.size() < std::min(kMaxPaletteEntries, symbols_.size())) {
@@ -73,31 +98,32 @@ class PaletteDecision {
   const int32_t* errors(size_t symbol) const { return &blocks_.errors[symbol * count_]; }
 
   bool add_best() {
-    int32_t best_gain = 0;
+    int64_t best_gain = 0;
     size_t best = symbols_.size();
     for (size_t s = 0; s < symbols_.size(); ++s) {
       const int32_t* of_symbol = errors(s);
-      int32_t gain = 0;
-      for (size_t b = 0; b < count_; ++b) gain += std::max(0, least_[b] - of_symbol[b]);
+      int32_t saved = 0;
+      for (size_t b = 0; b < count_; ++b) saved += std::max(0, least_[b] - of_symbol[b]);
+      const int64_t more = explicit_.with(symbols_[s]).all() - explicit_.all();
+      const int64_t gain = lambda_.cost(saved, -more);
       if (gain <= best_gain) continue;
       best_gain = gain;
       best = s;
     }
     if (best == symbols_.size()) return false;
     palette_.push_back(best);
-    lower(least_, best);
+    explicit_ = explicit_.with(symbols_[best]);
+    const int32_t* of_symbol = errors(best);
+    for (size_t b = 0; b < count_; ++b) least_[b] = std::min(least_[b], of_symbol[b]);
     return true;
-  }
-
-  void lower(std::vector<int32_t>& least, size_t symbol) const {
-    const int32_t* of_symbol = errors(symbol);
-    for (size_t b = 0; b < count_; ++b) least[b] = std::min(least[b], of_symbol[b]);
   }
 
   int64_t cost(const std::vector<int32_t>& errors, size_t entries) const {
     const auto size = static_cast<uint32_t>(entries);
-    const auto bits = static_cast<int64_t>(kMotionHeadBits + size * entry_bits_ +
-                                           bise_bits(levels_of_code(level_code_for(size)), count_));
+    const auto bits =
+        static_cast<int64_t>(kMotionHeadBits + size * entry_bits_ +
+                             bise_bits(levels_of_code(level_code_for(size)), count_)) +
+        explicit_.all();
     return lambda_.cost(std::accumulate(errors.begin(), errors.end(), int64_t{0}),
                         bits + kTileOverheadBits);
   }
@@ -109,6 +135,7 @@ class PaletteDecision {
   size_t count_;
   std::vector<int32_t> least_;
   std::vector<size_t> palette_;
+  ExplicitFields explicit_;
   int64_t best_cost_;
   size_t best_size_ = 0;
 };
@@ -120,8 +147,10 @@ class TileDecision {
         lambda_(task.lambda),
         fields_{task.sources.two_references(), !task.sources.keyed},
         grid_(task.sources.grid),
-        symbols_(symbols),
-        cell_errors_(task, symbols) {}
+        vectors_(task.sources.keyed ? task.vectors : 0),
+        known_(symbols),
+        cell_errors_(task, symbols),
+        search_(task, symbols) {}
 
   MotionTileCode run(uint32_t tx, uint32_t ty) {
     MotionTileCode best;
@@ -132,10 +161,12 @@ class TileDecision {
     // Whatever the motion, a record costs as much.
     if (least <= lambda_.cost(0, kMotionHeadBits + palette_entry_bits(fields_) + kTileOverheadBits))
       return best;
+    symbols_ = known_;
     cells_.errors.resize(cells_.count() * symbols_.size());
     for_each_row(tx, ty, [&](uint32_t row) {
       cell_errors_.run(&cells_.errors[size_t{row} * cells_.columns], cells_.count());
     });
+    add_vectors(tx, ty);
     const unsigned grid_log2 = header_.disparity_grid_log2;
     const unsigned last = std::min<unsigned>(kMaxMotionLog2, header_.motion_tile_log2);
     for (unsigned log2 = std::max<unsigned>(grid_log2, header_.block_log2); log2 <= last; ++log2) {
@@ -162,6 +193,49 @@ class TileDecision {
     }
   }
 
+  // Makes symbols of the vectors that are found for the blocks that are predicted worst.
+  void add_vectors(uint32_t tx, uint32_t ty) {
+    if (vectors_ == 0) return;
+    const int64_t entry = lambda_.cost(0, palette_entry_bits(fields_) + kLeastVectorBits);
+    constexpr uint32_t kSide = VectorSearch::kSide;
+    const BlockErrors blocks =
+        merged(static_cast<unsigned>(std::bit_width(kSide)) - 1 - header_.disparity_grid_log2);
+    const std::vector<int32_t> of_blocks = blocks.least();
+    std::vector<size_t> worst(of_blocks.size());
+    std::iota(worst.begin(), worst.end(), size_t{0});
+    std::ranges::stable_sort(worst, std::greater(), [&](size_t b) { return of_blocks[b]; });
+    worst.resize(std::min(worst.size(), vectors_));
+    std::vector<int32_t> least = cells_.least();
+    for (const size_t b : worst) {
+      if (lambda_.cost(of_blocks[b], 0) <= entry) break;
+      Area area{static_cast<int32_t>((tx << header_.motion_tile_log2) + b % blocks.columns * kSide),
+                static_cast<int32_t>((ty << header_.motion_tile_log2) + b / blocks.columns * kSide),
+                kSide, kSide};
+      area.width = std::min(area.width, static_cast<int32_t>(header_.width) - area.x);
+      area.height = std::min(area.height, static_cast<int32_t>(header_.height) - area.y);
+      for (const PaletteEntry& symbol : search_.run(area, of_blocks[b])) {
+        if (std::ranges::find(symbols_, symbol) == symbols_.end())
+          add_symbol(tx, ty, symbol, least, entry);
+      }
+    }
+  }
+
+  // Adds `symbol` if it is worth an entry in the tile, whose cells have `least` without it.
+  void add_symbol(uint32_t tx, uint32_t ty, const PaletteEntry& symbol, std::vector<int32_t>& least,
+                  int64_t entry) {
+    std::vector<int32_t> errors(cells_.count());
+    for_each_row(tx, ty, [&](uint32_t row) {
+      cell_errors_.of_vector(symbol, &errors[size_t{row} * cells_.columns]);
+    });
+    int64_t saved = 0;
+    for (size_t c = 0; c < errors.size(); ++c) saved += std::max(0, least[c] - errors[c]);
+    if (lambda_.cost(saved, 0) <= entry) return;
+    symbols_.push_back(symbol);
+    cells_.errors.insert(cells_.errors.end(), errors.begin(), errors.end());
+    std::ranges::transform(least, errors, least.begin(),
+                           [](int32_t a, int32_t b) { return std::min(a, b); });
+  }
+
   // Errors of blocks of 2^shift cells a side.
   BlockErrors merged(unsigned shift) const {
     BlockErrors blocks{
@@ -182,8 +256,11 @@ class TileDecision {
   Lambda lambda_;
   PaletteFields fields_;
   const DisparityGrid& grid_;
-  const std::vector<PaletteEntry>& symbols_;
+  size_t vectors_;
+  const std::vector<PaletteEntry>& known_;  // symbols to try in every tile
+  std::vector<PaletteEntry> symbols_;       // and vectors of the tile
   CellErrors cell_errors_;
+  VectorSearch search_;
   BlockErrors cells_;
 };
 

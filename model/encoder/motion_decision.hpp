@@ -16,6 +16,7 @@ struct MotionTask {
   const SamplePlane& target;   ///< plane Y; at levels that are not keyed less the parent
   ReferencePlanes references;  ///< of plane Y
   unsigned choices;  ///< disparities tried: 1 the own one, 5 with four neighbours, 9 with all
+  size_t vectors;    ///< blocks of a tile for which vectors are searched (VectorSearch)
   Lambda lambda;
 };
 

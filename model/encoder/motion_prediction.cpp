@@ -79,7 +79,7 @@ class PlanePredictor {
     const uint32_t x = bx * scale;
     const uint32_t y = by * scale;
     const PaletteEntry& symbol = symbol_at(x, y);
-    if (symbol.choice == kChoiceNone) return {symbol};
+    if (!symbol.shares_disparity()) return {symbol};
     const unsigned grid_log2 = sources_.header.disparity_grid_log2;
     return {symbol, sources_.disparity(x >> grid_log2, y >> grid_log2, symbol.choice)};
   }
@@ -116,8 +116,8 @@ class PlanePredictor {
     std::array<DisplacedReference, 2> parts;
     for (size_t i = 0; i < refs.count; ++i) {
       const size_t k = refs.reference[i];
-      parts[i] =
-          displaced(*references_[k], area.x, area.y, sources_.vector(k, motion.disparity, halved_));
+      parts[i] = displaced(*references_[k], area.x, area.y,
+                           sources_.vector(k, motion.symbol, motion.disparity, halved_));
     }
     interpolate_rect(
         parts, refs.count, bound_,

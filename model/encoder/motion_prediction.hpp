@@ -62,6 +62,13 @@ struct MotionSources {
         disparity_vector(d, row_offset(places[k], at), col_offset(places[k], at), rules);
     return subpel_vector(full, header.vector_precision, halved);
   }
+
+  /// Where `symbol`, whose disparity is `d` unless it has a vector, leads there.
+  SubpelVector vector(size_t k, const PaletteEntry& symbol, int32_t d, bool halved) const {
+    if (symbol.choice != kChoiceVector) return vector(k, d, halved);
+    return subpel_vector(explicit_vector(symbol.explicit_x, symbol.explicit_y, rules),
+                         header.vector_precision, halved);
+  }
 };
 
 /// The palette entries worth trying, with the choices up to `choices` in [1, 9]; the first is

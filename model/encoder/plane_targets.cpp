@@ -77,13 +77,13 @@ Lambda lambda_of_quality(double quality) {
 SearchEffort effort_of(Preset preset) {
   switch (preset) {
     case Preset::kFast:
-      return {3, 6};
+      return {3, 6, 0};
     case Preset::kSlow:
-      return {9, 24};
+      return {9, 24, 16};
     case Preset::kMedium:
       break;
   }
-  return {5, 12};
+  return {5, 12, 8};
 }
 
 PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& params,

@@ -23,6 +23,7 @@ using PlaneTargets = std::array<PlaneTarget, kPlaneCount>;
 struct SearchEffort {
   unsigned choices = 5;          ///< of MotionTask
   size_t disparity_images = 12;  ///< of a group, on which its disparities are tried
+  size_t vectors = 8;            ///< of MotionTask
 };
 SearchEffort effort_of(Preset preset);
 

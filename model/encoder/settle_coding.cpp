@@ -31,7 +31,7 @@ constexpr double kMatters = 0.003;
 
 // Images that a trial codes.
 size_t trial_images(Preset preset) {
-  return preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 10 : 32;
+  return preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 16 : 32;
 }
 
 // Whether finer disparities and larger motion tiles are tried, too.

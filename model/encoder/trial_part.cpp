@@ -1,6 +1,7 @@
 #include "encoder/trial_part.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -25,19 +26,18 @@ class Activity {
     for (uint32_t y = 0; y < rows_; ++y) {
       for (uint32_t x = 0; x < columns_; ++x) cells_.push_back(of_cell(luma, x, y));
     }
+    whole_ = shares(0, 0, columns_, rows_);
   }
 
   static constexpr uint32_t kCell = 16;
   uint32_t columns() const { return columns_; }
   uint32_t rows() const { return rows_; }
 
-  // How far `columns` x `rows` cells from (x, y) on differ from the whole, in the shares of cells
-  // with more than each of some activities.
+  // How far `columns` x `rows` cells from (x, y) on differ from the whole.
   double difference(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
+    const Shares part = shares(x, y, columns, rows);
     double sum = 0;
-    for (int bound = 1; bound <= 13; ++bound) {
-      sum += std::abs(share(bound, x, y, columns, rows) - share(bound, 0, 0, columns_, rows_));
-    }
+    for (size_t i = 0; i < part.size(); ++i) sum += std::abs(part[i] - whole_[i]);
     return sum;
   }
 
@@ -57,18 +57,29 @@ class Activity {
         std::bit_width(static_cast<uint64_t>((squares - sum * sum / kSamples) / kSamples)));
   }
 
-  double share(int bound, uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
-    uint32_t above = 0;
+  // Of cells with an activity of more than 0, 1 and so on.
+  using Shares = std::array<double, 13>;
+
+  Shares shares(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
+    std::array<uint32_t, std::tuple_size_v<Shares> + 1> counts{};
     for (uint32_t j = y; j < y + rows; ++j) {
-      for (uint32_t i = x; i < x + columns; ++i)
-        above += cells_[j * columns_ + i] >= bound ? 1u : 0u;
+      for (uint32_t i = x; i < x + columns; ++i) {
+        ++counts[std::min(static_cast<size_t>(cells_[j * columns_ + i]), counts.size() - 1)];
+      }
     }
-    return static_cast<double>(above) / (static_cast<double>(columns) * rows);
+    Shares shares{};
+    uint32_t above = 0;
+    for (size_t i = shares.size(); i-- > 0;) {
+      above += counts[i + 1];
+      shares[i] = static_cast<double>(above) / (static_cast<double>(columns) * rows);
+    }
+    return shares;
   }
 
   uint32_t columns_;
   uint32_t rows_;
   std::vector<int> cells_;
+  Shares whole_{};
 };
 
 // The place of a part of `shape`'s size that is most like the whole of `luma`.

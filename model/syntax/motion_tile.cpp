@@ -57,12 +57,6 @@ void put_palette_entry(BitWriter& writer, const PaletteEntry& entry, const Palet
   if (vector) writer.put_signed(entry.explicit_y, explicit_bits);
 }
 
-unsigned signed_bits(int32_t value) {
-  if (value == 0) return 0;
-  const auto magnitude = static_cast<uint32_t>(value < 0 ? -value - 1 : value);
-  return static_cast<unsigned>(std::bit_width(magnitude)) + 1;
-}
-
 }  // namespace
 
 MotionContext motion_context(const StreamView& stream, const MotionTilePlace& place) {
@@ -135,12 +129,19 @@ void put_motion_fields(BitWriter& writer, const MotionTileFields& tile,
   put_sequence(writer, tile.indices);
 }
 
+unsigned explicit_bits(const PaletteEntry& entry) {
+  const auto bits = [](int32_t value) {
+    const auto magnitude = static_cast<uint32_t>(value < 0 ? -value - 1 : value);
+    return value == 0 ? 0 : static_cast<unsigned>(std::bit_width(magnitude)) + 1;
+  };
+  return std::max(bits(entry.explicit_x), bits(entry.explicit_y));
+}
+
 std::vector<uint8_t> write_motion_tile(const MotionTileCode& tile, const PaletteFields& fields) {
   if (tile.empty) return {};
   MotionTileFields record{tile.block_log2, 0, tile.palette, {}};
   for (const PaletteEntry& entry : tile.palette) {
-    record.explicit_bits = std::max(
-        {record.explicit_bits, signed_bits(entry.explicit_x), signed_bits(entry.explicit_y)});
+    record.explicit_bits = std::max(record.explicit_bits, explicit_bits(entry));
   }
   record.indices.level_code = level_code_for(static_cast<uint32_t>(tile.palette.size()));
   record.indices.values.assign(tile.indices.begin(), tile.indices.end());

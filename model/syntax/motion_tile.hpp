@@ -103,6 +103,9 @@ constexpr unsigned palette_entry_bits(const PaletteFields& fields) {
   return 4u + (fields.reference_set ? 3u : 0u) + (fields.sign ? 1u : 0u);
 }
 
+/// The least explicit_bits with which `entry` can be written (MOT-3), in [0, 12].
+unsigned explicit_bits(const PaletteEntry& entry);
+
 /// Bits of motion_block, palette_size and explicit_bits.
 inline constexpr unsigned kMotionHeadBits = 9;
 

@@ -2,6 +2,7 @@
 // parameters that are left open.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <vector>
 
 #include <hmlfc/decoder.hpp>
@@ -101,6 +102,43 @@ TEST(EncoderDecisions, LosslessKeepsEveryRgbValueInBothProfiles) {
     EXPECT_EQ(stream.params.chroma, ChromaFormat::k444);
     EXPECT_EQ(stream.error.rgb_squares, 0u);
   }
+}
+
+// 5x5 views of a wall that moves by (2, rise) pixels from column to column, by (-rise, 2) from row
+// to row: with a rise the cameras are turned about their axes against the grid.
+LightField wall(int32_t rise) {
+  constexpr LightFieldShape kShape{5, 5, 96, 64, 8};
+  std::mt19937 random(7);
+  std::vector<uint16_t> grains(160 * 160);
+  for (uint16_t& grain : grains) grain = static_cast<uint16_t>(64 + random() % 128);
+  LightField field(kShape);
+  for (int32_t row = 0; row < 5; ++row) {
+    for (int32_t col = 0; col < 5; ++col) {
+      RgbImage view{kShape.width, kShape.height, 8, {}};
+      for (int32_t y = 0; y < 64; ++y) {
+        for (int32_t x = 0; x < 96; ++x) {
+          const int32_t at =
+              (y + 32 + 2 * row + rise * col) / 4 * 160 + (x + 32 + 2 * col - rise * row) / 4;
+          view.samples.insert(view.samples.end(), 3, grains[static_cast<size_t>(at)]);
+        }
+      }
+      field.set_view(static_cast<uint32_t>(row), static_cast<uint32_t>(col), view);
+    }
+  }
+  return field;
+}
+
+TEST(EncoderDecisions, VectorsPredictWhatDisparitiesCannot) {
+  EncodeParams params;
+  params.ref_rows = params.ref_cols = 5;
+  const auto straight = encode(wall(0), params);
+  const auto turned = encode(wall(1), params);
+  params.extended.preset = Preset::kFast;  // without vectors
+  const auto without = encode(wall(1), params);
+  ASSERT_TRUE(straight && turned && without);
+  EXPECT_LT(turned->bytes.size(), 2 * straight->bytes.size());
+  EXPECT_GT(without->bytes.size(), 4 * straight->bytes.size());
+  EXPECT_LE(turned->error.rgb_squares, without->error.rgb_squares);
 }
 
 }  // namespace

@@ -1,0 +1,79 @@
+#include "encoder/vector_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "encoder/error_kernels.hpp"
+
+namespace hmlfc {
+
+VectorSearch::VectorSearch(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
+    : task_(task),
+      estimate_(task.lambda),
+      bound_(reference_bound(Plane::kY, task.sources.header.depth, true)) {
+  for (const PaletteEntry& symbol : symbols) {
+    const bool one = references_of_set(symbol.reference_set).count == 1;
+    if (one && symbol.choice == kChoiceOwn) sets_.push_back(symbol.reference_set);
+  }
+}
+
+std::vector<PaletteEntry> VectorSearch::run(const Area& area, int64_t most) {
+  std::vector<PaletteEntry> found;
+  for (const uint8_t set : sets_) {
+    const size_t k = references_of_set(set).reference[0];
+    MotionVector vector = start(area, k);
+    if (descend(area, k, vector) >= most) continue;
+    found.push_back({set, kChoiceVector, false, static_cast<int16_t>(vector.x),
+                     static_cast<int16_t>(vector.y)});
+  }
+  return found;
+}
+
+MotionVector VectorSearch::start(const Area& area, size_t k) const {
+  const MotionSources& sources = task_.sources;
+  const unsigned grid_log2 = sources.header.disparity_grid_log2;
+  const int32_t d = sources.grid.at(static_cast<uint32_t>(area.x + area.width / 2) >> grid_log2,
+                                    static_cast<uint32_t>(area.y + area.height / 2) >> grid_log2);
+  const ImagePos place = sources.places[k];
+  return disparity_vector(d, row_offset(place, sources.at), col_offset(place, sources.at),
+                          sources.rules);
+}
+
+// What `vector` into Kk leaves of `area`; at least `most` if it is not less than that.
+int64_t VectorSearch::left(const Area& area, size_t k, const MotionVector& vector, int64_t most) {
+  const auto columns = static_cast<unsigned>(area.width);
+  const auto rows = static_cast<unsigned>(area.height);
+  const SubpelVector moved = subpel_vector(vector, task_.sources.header.vector_precision, false);
+  interpolate_rect({displaced(*task_.references[k], area.x, area.y, moved)}, 1, bound_,
+                   {predicted_.data(), kSide, columns, rows});
+  int64_t sum = 0;
+  for (unsigned y = 0; y < rows && sum < most; y += 4) {
+    const int16_t* target = task_.target.row(static_cast<uint32_t>(area.y) + y).data() + area.x;
+    square_errors({target, task_.target.width, kSide, columns, std::min(4u, rows - y)},
+                  &predicted_[size_t{y} * kSide], squares_.data());
+    for (unsigned i = 0; i < ceil_div(columns, 4u); ++i) sum += estimate_(squares_[i]);
+  }
+  return sum;
+}
+
+// Moves `vector` to where each move leaves more, in ever smaller steps from one sample on. Returns
+// what it leaves.
+int64_t VectorSearch::descend(const Area& area, size_t k, MotionVector& vector) {
+  int64_t least = left(area, k, vector, INT64_MAX);
+  for (int32_t step = 1 << task_.sources.header.vector_precision; step > 0; step /= 2) {
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (const auto& [x, y] : {std::pair{step, 0}, {-step, 0}, {0, step}, {0, -step}}) {
+        const MotionVector next = bounded_vector(vector.x + x, vector.y + y, task_.sources.rules);
+        const int64_t sum = left(area, k, next, least);
+        if (sum >= least) continue;
+        least = sum;
+        vector = next;
+        moved = true;
+      }
+    }
+  }
+  return least;
+}
+
+}  // namespace hmlfc
