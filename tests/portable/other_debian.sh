@@ -30,7 +30,7 @@ inside() {
   cmake --build build/release
   ctest --test-dir build/release -LE soak --output-on-failure
   local program="qemu-$1 $PWD/build/release/tools/hmlfc"
-  $program conform --suite vectors --dut "$program decode {input} -o {output}" -o /root/conform
+  $program conform --timeout 600 --suite vectors --dut "$program decode {input} -o {output}" -o /root/conform
 }
 
 if ((EUID != 0)) || ! command -v debootstrap >/dev/null; then
