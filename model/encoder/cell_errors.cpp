@@ -1,5 +1,7 @@
 #include "encoder/cell_errors.hpp"
 
+#include <numeric>
+
 namespace hmlfc {
 
 CellErrors::CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
@@ -30,17 +32,8 @@ int64_t CellErrors::of_first_symbol() {
   for (uint32_t i = 0; i < cells_ && symbol.choice != kChoiceNone;) {
     i = predict(references_of_set(symbol.reference_set), i, symbol.choice, predicted_[0]);
   }
-  int64_t sum = 0;
-  first_.fill(0);
-  for (uint32_t y = 0; y < rows_; y += 4) {
-    square_errors(squares_at(0, cells_, y, false), &predicted_[0][y * kMaxColumns],
-                  squares_.data());
-    for (uint32_t k = 0; k < ceil_div(columns_, 4u); ++k) {
-      first_[4 * k / side_] += estimate(squares_[k]);
-      sum += estimate(squares_[k]);
-    }
-  }
-  return sum;
+  weigh_squares(first_.data());
+  return std::accumulate(first_.begin(), first_.begin() + cells_, int64_t{0});
 }
 
 void CellErrors::run(int32_t* errors, size_t stride) {
@@ -77,12 +70,17 @@ void CellErrors::of_vector(const PaletteEntry& symbol, int32_t* errors) {
       {displaced(*task_.references[k], static_cast<int32_t>(gx_ * side_),
                  static_cast<int32_t>(gy_ * side_), sources_.vector(k, symbol, 0, false))},
       1, bound_, {predicted_[0].data(), kMaxColumns, columns_, rows_});
+  weigh_squares(errors);
+}
+
+// Writes what predicted_[0] leaves of the cells.
+void CellErrors::weigh_squares(int32_t* errors) {
   std::fill_n(errors, cells_, 0);
   for (uint32_t y = 0; y < rows_; y += 4) {
     square_errors(squares_at(0, cells_, y, false), &predicted_[0][y * kMaxColumns],
                   squares_.data());
-    for (uint32_t k4 = 0; k4 < ceil_div(columns_, 4u); ++k4) {
-      errors[4 * k4 / side_] += estimate(squares_[k4]);
+    for (uint32_t k = 0; k < ceil_div(columns_, 4u); ++k) {
+      errors[4 * k / side_] += estimate(squares_[k]);
     }
   }
 }

@@ -49,6 +49,7 @@ class CellErrors {
   unsigned first_alike(uint32_t cell, unsigned choice) const;
   uint32_t predict(const ReferenceSet& refs, uint32_t first, unsigned choice, Samples& out) const;
   SquareRow squares_at(uint32_t first, uint32_t end, uint32_t y, bool negative) const;
+  void weigh_squares(int32_t* errors);
   void evaluate(uint32_t first, uint32_t end, unsigned choice, bool negative);
   int32_t estimate(uint32_t square) const { return static_cast<int32_t>(estimate_(square)); }
 
