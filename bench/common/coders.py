@@ -18,6 +18,7 @@ from process import BenchError, bench_json, hmlfc, hmlfc_json
 PSNR_TOLERANCE = 0.01  # dB, between what hmlfc says and what its decoded views give
 HMLFC = {
     **{f"main-{method}": ["--profile", "main", "--method", method] for method in ("hmlfc", "rlfc", "mc")},
+    "main-weighed": ["--profile", "main", "--rate-distortion"],
     "extended": ["--profile", "extended"],
 }
 KEYINTS = {"x265-intra": 1, "x265-inter": -1}

@@ -10,8 +10,7 @@ bool has_known_extended_choices(const ExtendedParams& params) {
   const auto one_of = [](unsigned value, unsigned a, unsigned b) {
     return value == 0 || value == a || value == b;
   };
-  return one_of(params.disparity_grid, 4, 8) && one_of(params.motion_tile, 64, 128) &&
-         (params.key_weight == 0 || (params.key_weight >= 0.25 && params.key_weight <= 4));
+  return one_of(params.disparity_grid, 4, 8) && one_of(params.motion_tile, 64, 128);
 }
 
 }  // namespace

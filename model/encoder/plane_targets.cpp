@@ -22,15 +22,6 @@ unsigned step_code_of(Lambda lambda) {
   return code;
 }
 
-// Lambda of a plane: a squared error of Cg counts a quarter and one of Co a sixth of one of Y in
-// RGB, on four pixels in 4:2:0.
-Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
-  const int64_t pixels = chroma == ChromaFormat::k420 ? 4 : 1;
-  if (plane == Plane::kCo) return {lambda.scaled * 6 / pixels};
-  if (plane == Plane::kCg) return {lambda.scaled * 4 / pixels};
-  return lambda;
-}
-
 // The share of the error in an image predicted from one key image that is left: a second reference
 // averages it, and residuals take some of it away.
 constexpr double kSeenError = 0.8;
@@ -45,12 +36,11 @@ double images_per_key(const Geometry& geometry) {
 }
 
 // Returns the weight of the error in images predicted from a key image; of its own it is 1.
-double key_weight(const StreamHeader& header, const EncodeParams& params) {
+double key_weight(const StreamHeader& header) {
   const Geometry geometry(header);
   const bool one = header.tree_height == 0 && geometry.key_count() == 1;
   const double seen = one ? kSeenErrorOfOne : kSeenError;
-  const double factor = params.extended.key_weight > 0 ? params.extended.key_weight : 1;
-  return factor * seen * (images_per_key(geometry) - 1);
+  return seen * (images_per_key(geometry) - 1);
 }
 
 // The cheapest key image of groups of `images`. The fewer they are, the less noise does refinement
@@ -74,6 +64,13 @@ Lambda lambda_of_quality(double quality) {
   return {std::llround(256 * std::exp2((100 - quality) / 8))};
 }
 
+Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
+  const int64_t pixels = chroma == ChromaFormat::k420 ? 4 : 1;
+  if (plane == Plane::kCo) return {lambda.scaled * 6 / pixels};
+  if (plane == Plane::kCg) return {lambda.scaled * 4 / pixels};
+  return lambda;
+}
+
 SearchEffort effort_of(Preset preset) {
   switch (preset) {
     case Preset::kFast:
@@ -89,7 +86,7 @@ SearchEffort effort_of(Preset preset) {
 PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& params,
                            const LightFieldProbe& probe) {
   const Lambda lambda = lambda_of_quality(params.extended.quality);
-  const double weight = key_weight(header, params);
+  const double weight = key_weight(header);
   PlaneTargets targets;
   parallel_for(kPlaneCount, [&](size_t p) {
     const Plane plane = kPlanes[p];

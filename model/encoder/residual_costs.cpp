@@ -7,6 +7,16 @@
 #include "encoder/residual_writer.hpp"
 
 namespace hmlfc {
+namespace {
+
+// The value of a signed field of `bits` bits that is nearest to `value`; 0 bits hold 0 alone.
+int32_t nearest_signed(int32_t value, unsigned bits) {
+  if (bits == 0) return 0;
+  const int32_t half = int32_t{1} << (bits - 1);
+  return clamp(value, -half, half - 1);
+}
+
+}  // namespace
 
 ResidualCosts::ResidualCosts(const BlockValues& differences, Lambda lambda)
     : lambda_(lambda), count_(differences.size()) {
@@ -20,7 +30,7 @@ ResidualCosts::ResidualCosts(const BlockValues& differences, Lambda lambda)
   }
 }
 
-void ResidualCosts::weigh(int32_t step, std::array<LevelCosts, kTriedBiasBits.size()>& costs) {
+void ResidualCosts::weigh(int32_t step, std::span<LevelCosts> costs) {
   quantize(step);
   for (LevelCosts& row : costs) row.fill(kNever);
   int64_t least = zero();
@@ -30,34 +40,37 @@ void ResidualCosts::weigh(int32_t step, std::array<LevelCosts, kTriedBiasBits.si
     // A code whose bits alone cost more than the cheapest so far is skipped.
     if (lambda_.cost(0, bits) > least) break;
     const auto n = static_cast<int32_t>(levels.count);
-    const Biases biases = useful_biases(n, kTriedBiasBits.back());
-    for (int32_t bias = biases.first; bias <= biases.last; ++bias) {
-      const int32_t lo = lowest_level(levels.count) + bias;
-      const int64_t cost = lambda_.cost(error(lo, lo + n - 1), bits);
-      for (size_t b = kTriedBiasBits.size(); b > 0 && fits_signed(bias, kTriedBiasBits[b - 1]);
-           --b) {
-        costs[b - 1][code] = std::min(costs[b - 1][code], cost);
-      }
-      least = std::min(least, cost);
+    const int32_t bias = least_bias(n, kTriedBiasBits[costs.size() - 1]);
+    for (size_t b = costs.size(); b > 0; --b) {
+      const bool alike = b < costs.size() && fits_signed(bias, kTriedBiasBits[b - 1]);
+      const int32_t lo = lowest_level(levels.count) + nearest_signed(bias, kTriedBiasBits[b - 1]);
+      costs[b - 1][code] = alike ? costs[b][code] : lambda_.cost(error(lo, lo + n - 1), bits);
     }
+    least = std::min(least, costs.back()[code]);
   }
 }
 
 int32_t ResidualCosts::best_bias(int32_t step, unsigned level_code, unsigned bias_bits) {
   quantize(step);
-  const Levels levels = levels_of_code(level_code);
-  const auto n = static_cast<int32_t>(levels.count);
-  const Biases biases = useful_biases(n, bias_bits);
-  int32_t best = 0;
-  int64_t least = kNever;
-  for (int32_t bias = biases.first; bias <= biases.last; ++bias) {
-    const int32_t lo = lowest_level(levels.count) + bias;
-    const int64_t left = error(lo, lo + n - 1);
-    if (left >= least) continue;
-    least = left;
-    best = bias;
+  return least_bias(static_cast<int32_t>(levels_of_code(level_code).count), bias_bits);
+}
+
+// The first bias of `bias_bits` bits with the least error, which is convex in the bias.
+int32_t ResidualCosts::least_bias(int32_t levels, unsigned bias_bits) const {
+  auto [first, last] = useful_biases(levels, bias_bits);
+  const auto error_with = [&](int32_t bias) {
+    const int32_t lo = lowest_level(static_cast<uint32_t>(levels)) + bias;
+    return error(lo, lo + levels - 1);
+  };
+  while (first < last) {
+    const int32_t middle = first + (last - first) / 2;
+    if (error_with(middle + 1) < error_with(middle)) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
   }
-  return best;
+  return first;
 }
 
 void ResidualCosts::quantize(int32_t step) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "decoder/sample_plane.hpp"
 #include "encoder/rate_distortion.hpp"
@@ -13,8 +14,9 @@ namespace hmlfc {
 /// Level codes 0 to kTriedCodes - 1 are tried: up to 128 levels.
 inline constexpr unsigned kTriedCodes = 19;
 
-/// The widths of the field bias that are tried.
-inline constexpr std::array<unsigned, 4> kTriedBiasBits{0, 2, 3, 4};
+/// The widths of the field bias that are tried: with steps, the first four.
+inline constexpr std::array<unsigned, 8> kTriedBiasBits{0, 2, 3, 4, 5, 6, 7, 8};
+inline constexpr size_t kBiasWidthsOfSteps = 4;
 
 /// More than any cost, and so little that 64 of them can be added.
 inline constexpr int64_t kNever = std::numeric_limits<int64_t>::max() / 1024;
@@ -41,11 +43,11 @@ class ResidualCosts {
   /// D + lambda R without a residual.
   int64_t zero() const { return lambda_.cost(squares_[count_], 0); }
 
-  /// D + lambda R of the block values alone, with `step`: the least for each level code, for each
-  /// width of the bias.
-  void weigh(int32_t step, std::array<LevelCosts, kTriedBiasBits.size()>& costs);
+  /// D + lambda R of the block values alone, with `step`: the least for each level code, for the
+  /// first costs.size() in [1, 8] of kTriedBiasBits.
+  void weigh(int32_t step, std::span<LevelCosts> costs);
 
-  /// The bias of `bias_bits` bits in [0, 4] with the least error; the first of equal ones.
+  /// The bias of `bias_bits` bits in [0, 8] with the least error; the first of equal ones.
   int32_t best_bias(int32_t step, unsigned level_code, unsigned bias_bits);
 
  private:
@@ -55,6 +57,7 @@ class ResidualCosts {
   };
 
   void quantize(int32_t step);
+  int32_t least_bias(int32_t levels, unsigned bias_bits) const;
   Biases useful_biases(int32_t levels, unsigned bias_bits) const;
   int64_t error(int32_t lo, int32_t hi) const;
   int64_t moved(size_t first, size_t last, int64_t value) const;

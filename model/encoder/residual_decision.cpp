@@ -10,7 +10,6 @@
 #include "arithmetic/reconstruct.hpp"
 #include "arithmetic/rounding.hpp"
 #include "bits/bit_string.hpp"
-#include "encoder/residual_costs.hpp"
 #include "encoder/residual_writer.hpp"
 #include "syntax/tile_masks.hpp"
 
@@ -21,20 +20,17 @@ constexpr size_t kBlocks = size_t{kTileBlocks} * kTileBlocks;
 constexpr unsigned kMaxStepBits = 2;
 constexpr unsigned kMaxLevelBits = 3;
 
-// About what a block takes in a mask.
-constexpr int64_t kMaskBitsPerBlock = 2;
-
 int64_t energy(const BlockValues& block) {
   int64_t sum = 0;
   for (const int32_t value : block.span()) sum += int64_t{value} * value;
   return sum;
 }
 
-// A block that may get a residual: its costs by step and width of the bias.
+// A block that may get a residual: its costs by step, then width of the bias.
 struct Candidate {
   size_t block = 0;
   ResidualCosts weighed;
-  std::vector<std::array<LevelCosts, kTriedBiasBits.size()>> costs;
+  std::vector<LevelCosts> costs;
 };
 
 // The head of a tile's record. Steps count from the first one tried.
@@ -56,12 +52,13 @@ class HeadSearch {
       : differences_(differences),
         context_(context),
         lambda_(rules.lambda),
+        widths_(rules.bias_widths),
         first_step_(rules.step_code - std::min(rules.step_code, rules.steps_below)),
         steps_(std::min(kMaxStepCode, rules.step_code + rules.steps_above) - first_step_ + 1) {}
 
   ResidualTile run() {
     if (!collect()) return {};
-    for (size_t bias = 0; bias < kTriedBiasBits.size(); ++bias) {
+    for (size_t bias = 0; bias < widths_; ++bias) {
       for (unsigned bits = 0; bits <= kMaxStepBits; ++bits) {
         for (unsigned step = 0; step + (1u << bits) <= steps_; ++step) try_steps(step, bits, bias);
       }
@@ -86,13 +83,14 @@ class HeadSearch {
     for (size_t k = 0; k < kBlocks; ++k) {
       if (worth[k] == 0) continue;
       Candidate& candidate = candidates_.emplace_back(Candidate{k, {differences_[k], lambda_}, {}});
-      candidate.costs.resize(steps_);
-      int64_t best = kNever;
+      candidate.costs.resize(steps_ * widths_);
       for (unsigned s = 0; s < steps_; ++s) {
-        candidate.weighed.weigh(step_of_code(first_step_ + s), candidate.costs[s]);
-        for (const LevelCosts& row : candidate.costs[s]) {
-          best = std::min(best, *std::min_element(row.begin(), row.end()));
-        }
+        candidate.weighed.weigh(step_of_code(first_step_ + s),
+                                std::span(candidate.costs).subspan(s * widths_, widths_));
+      }
+      int64_t best = kNever;
+      for (const LevelCosts& row : candidate.costs) {
+        best = std::min(best, *std::min_element(row.begin(), row.end()));
       }
       const int64_t saved = candidate.weighed.zero() - best - least;
       if (saved <= 0) candidates_.pop_back();
@@ -115,9 +113,9 @@ class HeadSearch {
     std::array<std::array<int64_t, kTriedCodes>, kMaxLevelBits + 1> gains{};
     Head head{step, step_bits, bias, 0, 0};
     for (const Candidate& candidate : candidates_) {
-      LevelCosts row = candidate.costs[step][bias];
+      LevelCosts row = candidate.costs[step * widths_ + bias];
       for (unsigned s = step + 1; s < step + (1u << step_bits); ++s) {
-        const LevelCosts& other = candidate.costs[s][bias];
+        const LevelCosts& other = candidate.costs[s * widths_ + bias];
         for (size_t c = 0; c < kTriedCodes; ++c) row[c] = std::min(row[c], other[c]);
       }
       const int64_t most = candidate.weighed.zero();
@@ -174,7 +172,7 @@ class HeadSearch {
   Choice cheapest(const Candidate& candidate) const {
     Choice best;
     for (unsigned s = best_.first_step; s < best_.first_step + (1u << best_.step_bits); ++s) {
-      const LevelCosts& row = candidate.costs[s][best_.bias];
+      const LevelCosts& row = candidate.costs[s * widths_ + best_.bias];
       for (unsigned c = best_.level_base; c < best_.level_base + (1u << best_.level_bits); ++c) {
         if (row[c] < best.cost) best = {row[c], first_step_ + s, c};
       }
@@ -204,6 +202,7 @@ class HeadSearch {
   std::span<const BlockValues> differences_;
   const TileContext& context_;
   Lambda lambda_;
+  size_t widths_;  // of the bias
   unsigned first_step_;
   unsigned steps_;
   std::deque<Candidate> candidates_;

@@ -7,6 +7,7 @@
 
 #include "decoder/sample_plane.hpp"
 #include "encoder/rate_distortion.hpp"
+#include "encoder/residual_costs.hpp"
 #include "syntax/tile_record.hpp"
 
 namespace hmlfc {
@@ -15,13 +16,17 @@ namespace hmlfc {
 /// level_bits 3, bias_bits 4, step_base 4, step_bits 2.
 inline constexpr int64_t kLeastResidualBits = 21 + kTileOverheadBits;
 
+/// About what a block takes in a mask.
+inline constexpr int64_t kMaskBitsPerBlock = 2;
+
 /// How the residuals of one tile are decided.
 struct ResidualRules {
   Lambda lambda;
-  unsigned step_code = 0;    ///< about the best step
-  unsigned steps_below = 1;  ///< finer ones tried, too
-  unsigned steps_above = 2;  ///< coarser ones
-  bool lossless = false;     ///< every difference is kept: step 1, no clipping
+  unsigned step_code = 0;                   ///< about the best step
+  unsigned steps_below = 1;                 ///< finer ones tried, too
+  unsigned steps_above = 2;                 ///< coarser ones
+  bool lossless = false;                    ///< every difference is kept: step 1, no clipping
+  size_t bias_widths = kBiasWidthsOfSteps;  ///< of kTriedBiasBits, in [1, 8]
 };
 
 /// The residuals of a tile.

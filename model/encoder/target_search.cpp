@@ -45,8 +45,7 @@ class Thresholds final : public Coarseness {
   int64_t coarsest() const override { return 64 * 8190 + 1; }
 
   void apply(int64_t coarseness, EncodeParams& params) const override {
-    const auto threshold = static_cast<uint32_t>(coarseness);
-    params.main = {threshold, threshold};
+    params.main.threshold_ref = params.main.threshold_pred = static_cast<uint32_t>(coarseness);
   }
 
   int64_t finer(const Attempt& coarse) const override { return coarse.coarseness / 4; }

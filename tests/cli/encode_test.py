@@ -66,6 +66,12 @@ class Encode(CliTest):
                 self.assertEqual(self.hmlfc_json("info", "a.hmlfc")["chroma"], "444")
                 self.hmlfc("compare", "views", "a.hmlfc")
 
+    def test_rate_and_distortion_in_profile_main(self):
+        main = ("--profile", "main", "--chroma", "444", "--target-psnr", 36.5)
+        paper, weighed = (self.encode(*main, *more) for more in ((), ("--rate-distortion",)))
+        self.assertLess(weighed["bytes"], 0.95 * paper["bytes"])
+        self.assertGreaterEqual(weighed["psnr_rgb"], 36.5)
+
     def test_methods(self):
         for profile, method in CODINGS:
             with self.subTest(profile=profile, method=method):

@@ -59,13 +59,12 @@ EncodeParams main_params() {
   return params;
 }
 
-TEST(Quality, GridsAndWeightsOutsideTheirIntervalsAreRefused) {
+TEST(Quality, GridsAndTilesOutsideTheirIntervalsAreRefused) {
   const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
-  EncodeParams grid = extended(), tile = extended(), weight = extended();
+  EncodeParams grid = extended(), tile = extended();
   grid.extended.disparity_grid = 5;
   tile.extended.motion_tile = 32;
-  weight.extended.key_weight = std::numeric_limits<double>::quiet_NaN();
-  for (const EncodeParams& params : {grid, tile, weight}) {
+  for (const EncodeParams& params : {grid, tile}) {
     EXPECT_FALSE(encode(field, params).has_value());
   }
 }

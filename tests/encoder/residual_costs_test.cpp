@@ -50,7 +50,7 @@ TEST(ResidualCosts, AreTheLeastOverAllBiases) {
         const Levels levels = levels_of_code(code);
         const auto n = static_cast<int32_t>(levels.count);
         int64_t least = kNever;
-        for (int32_t bias = -8; bias < 8; ++bias) {
+        for (int32_t bias = -128; bias < 128; ++bias) {
           if (fits_signed(bias, bits)) least = std::min(least, error_of(block, step, n, bias));
         }
         const auto size = static_cast<int64_t>(bise_bits(levels, block.size()));

@@ -37,6 +37,7 @@ void check(const CLI::App& app, const CodingOptions& options) {
       {params.lossless && params.chroma == ChromaFormat::k420, "--lossless needs --chroma 444"},
       {thresholds && !main, "--threshold-ref and --threshold-pred need --profile main"},
       {main && given("--preset"), "--preset needs --profile extended"},
+      {params.main.rate_distortion && !main, "--rate-distortion needs --profile main"},
       {params.method == Method::kMc && given("--height") && params.tree_height != 0,
        "--method mc has no tree: its height is 0"},
       {given("--cluster") &&
@@ -54,6 +55,8 @@ void add_main_options(CLI::App& app, EncodeParams& params) {
               "Main: minimum block energy, reference images");
   add_integer(app, "--threshold-pred", params.main.threshold_pred, 0, 1u << 20,
               "Main: minimum block energy, predictive images");
+  app.add_flag("--rate-distortion", params.main.rate_distortion,
+               "Main: decide by squared error and bits, fewer bits");
 }
 
 void add_structure_options(CLI::App& app, CodingOptions& options) {
@@ -121,8 +124,7 @@ void settle_coding_options(const CLI::App& app, CodingOptions& options) {
   check(app, options);
   if (!options.quality) return;
   options.params.extended.quality = *options.quality;
-  const double threshold = 75 * std::exp2((60 - *options.quality) / 10);
-  options.params.main.threshold_ref = static_cast<uint32_t>(std::lround(threshold));
+  options.params.main.threshold_ref = threshold_of_quality(*options.quality);
   options.params.main.threshold_pred = options.params.main.threshold_ref;
 }
 

@@ -24,8 +24,8 @@ double trial_pixels(const LightFieldShape& shape, const EncodeParams& params) {
   if (params.profile == Profile::kMain || params.lossless) return 0;
   const double part = std::min(shape.width, 384u) * std::min(shape.height, 256u);
   const Preset preset = params.extended.preset;
-  const double images = preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 10 : 32;
-  const double trials = preset == Preset::kFast ? 3 : preset == Preset::kMedium ? 12 : 8;
+  const double images = preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 16 : 32;
+  const double trials = preset == Preset::kFast ? 3 : 8;
   return trials * part * std::min(1.4 * images, static_cast<double>(shape.rows) * shape.cols);
 }
 
@@ -73,7 +73,6 @@ std::string encode_forecast(const LightField& field, const EncodeParams& params,
   if (settled.ref_cols == 0) settled.ref_cols = std::min(5u, shape.cols);
   settled.extended.disparity_grid = 8;
   settled.extended.motion_tile = 64;
-  settled.extended.key_weight = 1;
   const LightField part = middle_of(field, side);
   const Clock clock;
   if (!encode(part, settled)) return "";

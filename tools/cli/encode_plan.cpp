@@ -45,11 +45,11 @@ Json params_json(const EncodeParams& params) {
           {"chroma", *params.chroma},
           {"lossless", params.lossless},
           {"thresholds", {params.main.threshold_ref, params.main.threshold_pred}},
+          {"rate_distortion", params.main.rate_distortion},
           {"quality", params.extended.quality},
           {"preset", params.extended.preset},
           {"disparity_grid", params.extended.disparity_grid},
-          {"motion_tile", params.extended.motion_tile},
-          {"key_weight", params.extended.key_weight}};
+          {"motion_tile", params.extended.motion_tile}};
 }
 
 EncodeParams params_of(const Json& json) {
@@ -67,11 +67,11 @@ EncodeParams params_of(const Json& json) {
   json.at("lossless").get_to(params.lossless);
   json.at("thresholds").at(0).get_to(params.main.threshold_ref);
   json.at("thresholds").at(1).get_to(params.main.threshold_pred);
+  json.at("rate_distortion").get_to(params.main.rate_distortion);
   json.at("quality").get_to(params.extended.quality);
   json.at("preset").get_to(params.extended.preset);
   json.at("disparity_grid").get_to(params.extended.disparity_grid);
   json.at("motion_tile").get_to(params.extended.motion_tile);
-  json.at("key_weight").get_to(params.extended.key_weight);
   return params;
 }
 

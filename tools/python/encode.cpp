@@ -133,9 +133,7 @@ EncodeParams params_of(const Options& given) {
   params.profile = given.choice<Profile>(
       "profile", {{"main", Profile::kMain}, {"extended", Profile::kExtended}});
   params.extended.quality = given.get<double>("quality", 0, 100).value();
-  // Of profile main, as `hmlfc encode --quality` has it.
-  const double threshold = 75 * std::exp2((60 - params.extended.quality) / 10);
-  params.main.threshold_ref = static_cast<uint32_t>(std::lround(threshold));
+  params.main.threshold_ref = threshold_of_quality(params.extended.quality);
   params.main.threshold_pred = params.main.threshold_ref;
   params.lossless = given.get<bool>("lossless");
   params.extended.preset = given.choice<Preset>(

@@ -78,6 +78,7 @@ inline RandomCase random_case(uint32_t seed) {
   params.chroma = pick(0, 1) == 0 ? ChromaFormat::k420 : ChromaFormat::k444;
   params.main.threshold_ref = pick(0, 200) << (made.shape.depth - 8);
   params.main.threshold_pred = pick(0, 200) << (made.shape.depth - 8);
+  params.main.rate_distortion = params.main.threshold_pred % 3 == 1;
   return made;
 }
 

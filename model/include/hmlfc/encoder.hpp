@@ -1,6 +1,7 @@
 // The encoder: a light field in, a stream out.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -32,7 +33,15 @@ enum class Preset : uint8_t { kFast, kMedium, kSlow };
 struct MainParams {
   uint32_t threshold_ref = 75;   ///< of reference images
   uint32_t threshold_pred = 75;  ///< of predictive images
+  /// Weighs squared errors against bits instead: with threshold T, a bit of a view is worth T^2 /
+  /// 256 of squared error. 0 still keeps every sample.
+  bool rate_distortion = false;
 };
+
+/// The threshold that stands for `quality` in [0, 100]: 75 for 60, twice that for every 10 below.
+inline uint32_t threshold_of_quality(double quality) {
+  return static_cast<uint32_t>(std::lround(75 * std::exp2((60 - quality) / 10)));
+}
 
 /// Parameters of profile extended alone.
 struct ExtendedParams {
@@ -42,9 +51,6 @@ struct ExtendedParams {
   /// open with 0: found by trial.
   unsigned disparity_grid = 0;
   unsigned motion_tile = 0;  ///< samples a side of a motion tile: 64 or 128, or open with 0, too
-  /// What the error of a key image in the images predicted from it weighs, as a multiple of what it
-  /// usually does: [1/4, 4]; 0 means 1.
-  double key_weight = 0;
 };
 
 /// How to encode. The intervals are those of the header (specification, section 3). What is left

@@ -1,0 +1,256 @@
+#include "encoder/main_plane.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "arithmetic/bise.hpp"
+#include "arithmetic/reconstruct.hpp"
+#include "bits/bit_string.hpp"
+#include "encoder/residual_decision.hpp"
+#include "encoder/residual_writer.hpp"
+#include "encoder/tile_writer.hpp"
+#include "syntax/tile_masks.hpp"
+
+namespace hmlfc {
+namespace {
+
+uint32_t energy_of(const BlockValues& values) {
+  uint32_t sum = 0;
+  for (const int32_t value : values.span()) sum += static_cast<uint32_t>(std::abs(value));
+  return sum;
+}
+
+// Bits of a residual block before its tile's parameters are known: with a bias of six bits, or
+// none.
+uint64_t estimated_bits(const BlockValues& residual) {
+  constexpr unsigned kBiasBits = 6;
+  const auto [lo, hi] = std::minmax_element(residual.span().begin(), residual.span().end());
+  const ResidualInterval interval{*lo, *hi};
+  const auto bits_with = [&](unsigned bias_bits) {
+    const unsigned code = least_code(interval, bias_bits).level_code;
+    return bias_bits + bise_bits(levels_of_code(code), residual.size());
+  };
+  return std::min(bits_with(0), bits_with(kBiasBits));
+}
+
+class PlaneEncoder {
+ public:
+  explicit PlaneEncoder(const MainPlaneTask& task)
+      : task_(task),
+        shape_(task.geometry.plane(task.plane)),
+        size_(task.geometry.block_size()),
+        range_(sample_range(task.plane, task.depth)),
+        vector_bits_(uint64_t{2} * vector_widths(task.window).component_bits) {}
+
+  MainPlane run() {
+    result_.samples = SamplePlane(task_.original.width, task_.original.height);
+    result_.residuals = SamplePlane(task_.original.width, task_.original.height);
+    above_.resize(shape_.blocks_x);
+    for (uint32_t ty = 0; ty < shape_.tiles_y; ++ty) {
+      for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) encode_tile(tx, ty);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void encode_tile(uint32_t tx, uint32_t ty) {
+    TileContext context;
+    context.predictive = task_.reference != nullptr;
+    context.blocks_inside = blocks_inside(shape_, tx, ty);
+    context.window = task_.window;
+    context.depth = task_.depth;
+    context.block_samples = uint64_t{size_} * size_;
+
+    std::vector<BlockDecision> decisions(kBlocks, BlockDecision(size_));
+    for_each_block(tx, ty, [&](unsigned k, uint32_t bx, uint32_t by) {
+      by_rate() ? decide_motion(bx, by, decisions[k]) : decide(bx, by, decisions[k]);
+    });
+    if (by_rate()) keep_residuals(decisions, context);
+    for_each_block(
+        tx, ty, [&](unsigned k, uint32_t bx, uint32_t by) { reconstruct(bx, by, decisions[k]); });
+    result_.code.append(write_tile(decisions, context));
+  }
+
+  bool by_rate() const { return task_.lambda.scaled > 0; }
+
+  // Calls body(k, bx, by) for the blocks of a tile that lie in the plane.
+  template <class Body>
+  void for_each_block(uint32_t tx, uint32_t ty, const Body& body) const {
+    for (unsigned k = 0; k < kBlocks; ++k) {
+      const uint32_t bx = tx * kTileBlocks + block_column(k);
+      const uint32_t by = ty * kTileBlocks + block_row(k);
+      if (bx < shape_.blocks_x && by < shape_.blocks_y) body(k, bx, by);
+    }
+  }
+
+  int32_t parent(uint32_t x, uint32_t y) const {
+    return task_.parent == nullptr ? 0 : task_.parent->at(x, y);
+  }
+
+  // Calls body(i, x, y) for each value of a block with the nearest position inside the plane, so
+  // that values outside repeat those inside and cost nothing.
+  template <class Body>
+  void for_each_inside(uint32_t bx, uint32_t by, const Body& body) const {
+    for (unsigned j = 0; j < size_; ++j) {
+      for (unsigned i = 0; i < size_; ++i) {
+        const uint32_t x = std::min(bx * size_ + i, shape_.width - 1);
+        const uint32_t y = std::min(by * size_ + j, shape_.height - 1);
+        body(j * size_ + i, x, y);
+      }
+    }
+  }
+
+  // A(x, y) of DEC-3 with motion. Positions past the border have no meaning (STR-6) and take the
+  // reference of the nearest position inside.
+  int32_t predicted(uint32_t x, uint32_t y, const MotionMatch& motion) const {
+    const int64_t from_x = int64_t{std::min(x, shape_.width - 1)} + motion.dx;
+    const int64_t from_y = int64_t{std::min(y, shape_.height - 1)} + motion.dy;
+    const int32_t reference = *task_.reference->sample(from_x, from_y);
+    return motion_prediction(parent(x, y), motion.negative, reference, range_);
+  }
+
+  BlockValues plain_differences(uint32_t bx, uint32_t by) const {
+    BlockValues plain(size_);
+    for_each_inside(bx, by, [&](size_t i, uint32_t x, uint32_t y) {
+      plain[i] = task_.original.at(x, y) - parent(x, y);
+    });
+    return plain;
+  }
+
+  BlockValues moved_differences(uint32_t bx, uint32_t by, const MotionMatch& motion) const {
+    BlockValues moved(size_);
+    for_each_inside(bx, by, [&](size_t i, uint32_t x, uint32_t y) {
+      moved[i] = task_.original.at(x, y) - predicted(x, y, motion);
+    });
+    return moved;
+  }
+
+  void decide(uint32_t bx, uint32_t by, BlockDecision& decision) {
+    const BlockValues plain = plain_differences(bx, by);
+    if (dropped(energy_of(plain))) return;
+    decision.state = BlockState::kResidual;
+    decision.residual = plain;
+    if (task_.reference == nullptr) return;
+
+    decision.motion = search(bx, by, plain);
+    if (dropped(decision.motion.sad)) {
+      decision.state = BlockState::kMotion;
+      return;
+    }
+    const BlockValues moved = moved_differences(bx, by, decision.motion);
+    if (estimated_bits(moved) + vector_bits_ < estimated_bits(plain)) {
+      decision.state = BlockState::kMotionResidual;
+      decision.residual = moved;
+    }
+  }
+
+  // Chooses between motion and none, by what either leaves to a residual, if there will be one.
+  // `decision` gets these differences.
+  void decide_motion(uint32_t bx, uint32_t by, BlockDecision& decision) {
+    decision.residual = plain_differences(bx, by);
+    if (task_.reference == nullptr) return;
+    const int64_t vector = task_.lambda.cost(0, static_cast<int64_t>(vector_bits_));
+    const int64_t plain = least_cost(decision.residual);
+    if (plain <= vector) return;
+    const MotionMatch match = search(bx, by, decision.residual);
+    const BlockValues moved = moved_differences(bx, by, match);
+    if (least_cost(moved) + vector >= plain) return;
+    decision.state = BlockState::kMotion;
+    decision.motion = match;
+    decision.residual = moved;
+  }
+
+  // D + lambda R of differences, with the best residual or none.
+  int64_t least_cost(const BlockValues& differences) const {
+    ResidualCosts costs(differences, task_.lambda);
+    std::array<LevelCosts, kTriedBiasBits.size()> rows;
+    costs.weigh(1, rows);
+    int64_t least = costs.zero();
+    for (size_t b = 0; b < rows.size(); ++b) {
+      const int64_t head = task_.lambda.cost(0, kTriedBiasBits[b] + kMaskBitsPerBlock);
+      least = std::min(least, head + *std::ranges::min_element(rows[b]));
+    }
+    return least;
+  }
+
+  // Chooses the blocks of a tile that keep a residual, and its values.
+  void keep_residuals(std::vector<BlockDecision>& decisions, const TileContext& context) const {
+    std::vector<BlockValues> differences;
+    for (const BlockDecision& decision : decisions) differences.push_back(decision.residual);
+    ResidualRules rules{task_.lambda, 0, 0, 0};
+    rules.bias_widths = kTriedBiasBits.size();
+    const ResidualTile tile = decide_residuals(differences, context, rules);
+    size_t kept = 0;
+    for (unsigned k = 0; k < kBlocks; ++k) {
+      if (!has_bit(tile.mask, k)) continue;
+      BlockDecision& decision = decisions[k];
+      decision.state = decision.has_motion() ? BlockState::kMotionResidual : BlockState::kResidual;
+      const BlockValues& values = tile.blocks[kept++];
+      // What takes more levels than are tried is worth them at high quality.
+      if (cost(decision.residual, values) < cost(decision.residual, decision.residual)) {
+        decision.residual = values;
+      }
+    }
+  }
+
+  // D + lambda R where `values` are coded for `differences`.
+  int64_t cost(const BlockValues& differences, const BlockValues& values) const {
+    int64_t error = 0;
+    for (size_t i = 0; i < values.size(); ++i) {
+      const int64_t left = differences[i] - values[i];
+      error += left * left;
+    }
+    return task_.lambda.cost(error, static_cast<int64_t>(estimated_bits(values)));
+  }
+
+  bool dropped(uint32_t energy) const { return energy == 0 || energy < task_.threshold; }
+
+  MotionMatch search(uint32_t bx, uint32_t by, const BlockValues& plain) {
+    std::array<int16_t, size_t{kMaxBlockSize} * kMaxBlockSize> block;
+    for (size_t i = 0; i < plain.size(); ++i) block[i] = static_cast<int16_t>(plain[i]);
+    const std::array<MotionMatch, 2> hints{left_, above_[bx]};
+    const MotionMatch match =
+        search_motion(std::span(block).first(plain.size()), static_cast<int>(size_), bx * size_,
+                      by * size_, *task_.reference, task_.window, task_.both_signs, hints);
+    left_ = match;
+    above_[bx] = match;
+    return match;
+  }
+
+  void reconstruct(uint32_t bx, uint32_t by, const BlockDecision& decision) {
+    for (unsigned j = 0; j < size_; ++j) {
+      const uint32_t y = by * size_ + j;
+      for (unsigned i = 0; i < size_; ++i) {
+        const uint32_t x = bx * size_ + i;
+        int32_t sample = parent(x, y);
+        if (decision.has_motion()) sample = predicted(x, y, decision.motion);
+        if (decision.has_residual()) {
+          const int32_t residual = decision.residual.at(i, j);
+          sample = add_residual(sample, residual, range_);
+          result_.residuals.row(y)[x] = static_cast<int16_t>(residual);
+        }
+        result_.samples.row(y)[x] = static_cast<int16_t>(sample);
+      }
+    }
+  }
+
+  static constexpr unsigned kBlocks = kTileBlocks * kTileBlocks;
+
+  const MainPlaneTask& task_;
+  PlaneShape shape_;
+  unsigned size_;
+  SampleRange range_;
+  uint64_t vector_bits_;
+  MotionMatch left_;
+  std::vector<MotionMatch> above_;
+  MainPlane result_;
+};
+
+}  // namespace
+
+MainPlane encode_main_plane(const MainPlaneTask& task) { return PlaneEncoder(task).run(); }
+
+}  // namespace hmlfc
