@@ -44,13 +44,15 @@ int64_t VectorSearch::left(const Area& area, size_t k, const MotionVector& vecto
   const auto columns = static_cast<unsigned>(area.width);
   const auto rows = static_cast<unsigned>(area.height);
   const SubpelVector moved = subpel_vector(vector, task_.sources.header.vector_precision, false);
-  interpolate_rect({displaced(*task_.references[k], area.x, area.y, moved)}, 1, bound_,
-                   {predicted_.data(), kSide, columns, rows});
   int64_t sum = 0;
   for (unsigned y = 0; y < rows && sum < most; y += 4) {
-    const int16_t* target = task_.target.row(static_cast<uint32_t>(area.y) + y).data() + area.x;
-    square_errors({target, task_.target.width, kSide, columns, std::min(4u, rows - y)},
-                  &predicted_[size_t{y} * kSide], squares_.data());
+    const int32_t top = area.y + static_cast<int32_t>(y);
+    const unsigned height = std::min(4u, rows - y);
+    interpolate_rect({displaced(*task_.references[k], area.x, top, moved)}, 1, bound_,
+                     {predicted_.data(), kSide, columns, height});
+    const int16_t* target = task_.target.row(static_cast<uint32_t>(top)).data() + area.x;
+    square_errors({target, task_.target.width, kSide, columns, height}, predicted_.data(),
+                  squares_.data());
     for (unsigned i = 0; i < ceil_div(columns, 4u); ++i) sum += estimate_(squares_[i]);
   }
   return sum;

@@ -32,7 +32,7 @@ class VectorSearch {
   ResidualEstimate estimate_;
   int32_t bound_;
   std::vector<uint8_t> sets_;  // of one reference image each
-  std::array<int16_t, size_t{kSide} * kSide> predicted_{};
+  std::array<int16_t, size_t{kSide} * 4> predicted_{};
   std::array<uint32_t, kSide / 4> squares_{};
 };
 
