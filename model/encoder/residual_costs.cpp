@@ -34,13 +34,14 @@ void ResidualCosts::weigh(int32_t step, std::span<LevelCosts> costs) {
   quantize(step);
   for (LevelCosts& row : costs) row.fill(kNever);
   int64_t least = zero();
+  int32_t bias = mean();
   for (unsigned code = 0; code < kTriedCodes; ++code) {
     const Levels levels = levels_of_code(code);
     const auto bits = static_cast<int64_t>(bise_bits(levels, count_));
     // A code whose bits alone cost more than the cheapest so far is skipped.
     if (lambda_.cost(0, bits) > least) break;
     const auto n = static_cast<int32_t>(levels.count);
-    const int32_t bias = least_bias(n, kTriedBiasBits[costs.size() - 1]);
+    bias = least_bias(n, kTriedBiasBits[costs.size() - 1], bias);
     for (size_t b = costs.size(); b > 0; --b) {
       const bool alike = b < costs.size() && fits_signed(bias, kTriedBiasBits[b - 1]);
       const int32_t lo = lowest_level(levels.count) + nearest_signed(bias, kTriedBiasBits[b - 1]);
@@ -52,25 +53,26 @@ void ResidualCosts::weigh(int32_t step, std::span<LevelCosts> costs) {
 
 int32_t ResidualCosts::best_bias(int32_t step, unsigned level_code, unsigned bias_bits) {
   quantize(step);
-  return least_bias(static_cast<int32_t>(levels_of_code(level_code).count), bias_bits);
+  return least_bias(static_cast<int32_t>(levels_of_code(level_code).count), bias_bits, mean());
 }
 
-// The first bias of `bias_bits` bits with the least error, which is convex in the bias.
-int32_t ResidualCosts::least_bias(int32_t levels, unsigned bias_bits) const {
-  auto [first, last] = useful_biases(levels, bias_bits);
+// The first bias of `bias_bits` bits with the least error, which is convex in the bias: down and up
+// from `guess`.
+int32_t ResidualCosts::least_bias(int32_t levels, unsigned bias_bits, int32_t guess) const {
+  const auto [first, last] = useful_biases(levels, bias_bits);
   const auto error_with = [&](int32_t bias) {
     const int32_t lo = lowest_level(static_cast<uint32_t>(levels)) + bias;
     return error(lo, lo + levels - 1);
   };
-  while (first < last) {
-    const int32_t middle = first + (last - first) / 2;
-    if (error_with(middle + 1) < error_with(middle)) {
-      first = middle + 1;
-    } else {
-      last = middle;
-    }
+  int32_t best = clamp(guess, first, last);
+  int64_t least = error_with(best);
+  for (int64_t next = 0; best > first && (next = error_with(best - 1)) <= least; --best) {
+    least = next;
   }
-  return first;
+  for (int64_t next = 0; best < last && (next = error_with(best + 1)) < least; ++best) {
+    least = next;
+  }
+  return best;
 }
 
 void ResidualCosts::quantize(int32_t step) {

@@ -57,7 +57,11 @@ class ResidualCosts {
   };
 
   void quantize(int32_t step);
-  int32_t least_bias(int32_t levels, unsigned bias_bits) const;
+  // Of the values, about, in steps.
+  int32_t mean() const {
+    return static_cast<int32_t>(sums_[count_] / static_cast<int64_t>(count_)) / step_;
+  }
+  int32_t least_bias(int32_t levels, unsigned bias_bits, int32_t guess) const;
   Biases useful_biases(int32_t levels, unsigned bias_bits) const;
   int64_t error(int32_t lo, int32_t hi) const;
   int64_t moved(size_t first, size_t last, int64_t value) const;
