@@ -23,6 +23,12 @@ uint32_t energy_of(const BlockValues& values) {
   return sum;
 }
 
+int64_t squared_error(const BlockValues& a, const BlockValues& b) {
+  int64_t sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) sum += int64_t{a[i] - b[i]} * (a[i] - b[i]);
+  return sum;
+}
+
 // Bits of a residual block before its tile's parameters are known: with a bias of six bits, or
 // none.
 uint64_t estimated_bits(const BlockValues& residual) {
@@ -168,7 +174,7 @@ class PlaneEncoder {
     ResidualCosts costs(differences, task_.lambda);
     std::array<LevelCosts, kTriedBiasBits.size()> rows;
     costs.weigh(1, rows);
-    int64_t least = costs.zero();
+    int64_t least = std::min(costs.zero(), exact_cost(differences));
     for (size_t b = 0; b < rows.size(); ++b) {
       const int64_t head = task_.lambda.cost(0, kTriedBiasBits[b] + kMaskBitsPerBlock);
       least = std::min(least, head + *std::ranges::min_element(rows[b]));
@@ -183,27 +189,26 @@ class PlaneEncoder {
     ResidualRules rules{task_.lambda, 0, 0, 0};
     rules.bias_widths = kTriedBiasBits.size();
     const ResidualTile tile = decide_residuals(differences, context, rules);
+    const int64_t head = tile.mask == 0 ? task_.lambda.cost(0, kLeastResidualBits) : 0;
     size_t kept = 0;
     for (unsigned k = 0; k < kBlocks; ++k) {
-      if (!has_bit(tile.mask, k)) continue;
       BlockDecision& decision = decisions[k];
+      const bool tried = has_bit(tile.mask, k);
+      const BlockValues values = tried ? tile.blocks[kept++] : BlockValues(size_);
+      const int64_t bits = tried ? static_cast<int64_t>(estimated_bits(values)) : 0;
+      const int64_t least = task_.lambda.cost(squared_error(decision.residual, values), bits);
+      // At high quality, values far apart are worth more levels than are tried.
+      const bool exact = exact_cost(decision.residual) + head < least;
+      if (!tried && !exact) continue;
       decision.state = decision.has_motion() ? BlockState::kMotionResidual : BlockState::kResidual;
-      const BlockValues& values = tile.blocks[kept++];
-      // What takes more levels than are tried is worth them at high quality.
-      if (cost(decision.residual, values) < cost(decision.residual, decision.residual)) {
-        decision.residual = values;
-      }
+      if (!exact) decision.residual = values;
     }
   }
 
-  // D + lambda R where `values` are coded for `differences`.
-  int64_t cost(const BlockValues& differences, const BlockValues& values) const {
-    int64_t error = 0;
-    for (size_t i = 0; i < values.size(); ++i) {
-      const int64_t left = differences[i] - values[i];
-      error += left * left;
-    }
-    return task_.lambda.cost(error, static_cast<int64_t>(estimated_bits(values)));
+  // D + lambda R where all differences are kept.
+  int64_t exact_cost(const BlockValues& differences) const {
+    const auto bits = static_cast<int64_t>(estimated_bits(differences));
+    return task_.lambda.cost(0, bits + kMaskBitsPerBlock);
   }
 
   bool dropped(uint32_t energy) const { return energy == 0 || energy < task_.threshold; }

@@ -140,8 +140,8 @@ Replacing replacing_of(const EncodeOptions& options) {
 
 ExitCode run_encode(const EncodeOptions& given) {
   EncodeOptions options = given;
-  settle_coding_options(*options.app, options.coding);
   check_division(options);
+  settle_coding_options(*options.app, options.coding);
   const ThreadLimit limit(options.coding.params.threads);
   const OutputFile output(options.output, ".hmlfc", replacing_of(options));
   options.target = output.path();

@@ -55,7 +55,7 @@ void note_missed_psnr(double target, const EncodeOutcome& outcome) {
                    main ? "thresholds of 0 give" : "quality 100 gives",
                    psnr_text(outcome.quality.psnr_rgb),
                    outcome.stream.header.chroma_format == ChromaFormat::k420
-                       ? "; half-size chroma limits it, try --chroma 444"
+                       ? "; half-size chroma may limit it, try --chroma 444"
                        : "; --lossless keeps every value"));
 }
 
@@ -72,8 +72,9 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
   if (outcome.stream.bytes <= most) return true;
   note(
       fmt::format("{} bytes were not enough: the smallest stream has {}; encode fewer or smaller "
-                  "views, or try larger --references",
-                  most, outcome.stream.bytes));
+                  "views{}",
+                  most, outcome.stream.bytes,
+                  outcome.params.profile == Profile::kMain ? ", or in profile extended" : ""));
   return false;
 }
 
