@@ -9,7 +9,7 @@ WITHOUT = {"hmlfc": (), "rlfc": ("window", "references"), "mc": ("height", "clus
 FULL = {
     "block": (2, 4, 8), "window": (1, 2, 4, 8, 16, 32, 64), "threshold": (10, 25, 50, 75, 150, 300),
     "references": ("2x2", "4x4", "8x8", "16x16"), "height": (1, 2, 3, 4), "preset": ("fast", "medium", "slow"),
-    "quality": (30, 45, 60, 75, 90),
+    "quality": (25, 45, 60, 75, 90),
 }
 QUICK = {
     **FULL, "window": (1, 4, 16), "threshold": (25, 75, 300), "references": ("2x2", "8x8"), "height": (1, 3),
