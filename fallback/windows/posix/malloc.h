@@ -4,4 +4,5 @@
 #include_next <malloc.h>
 
 #define M_MMAP_THRESHOLD -3
+#define M_TRIM_THRESHOLD -1
 inline int mallopt(int, int) { return 1; }
