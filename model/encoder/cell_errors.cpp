@@ -8,7 +8,7 @@ CellErrors::CellErrors(const MotionTask& task, const std::vector<PaletteEntry>& 
     : task_(task),
       sources_(task.sources),
       symbols_(symbols),
-      estimate_(task.lambda),
+      estimate_(task.lambda, shift_of(task.lambda)),
       bound_(reference_bound(Plane::kY, sources_.header.depth, sources_.keyed)),
       side_(1u << sources_.header.disparity_grid_log2) {}
 

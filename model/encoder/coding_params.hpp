@@ -23,6 +23,7 @@ Result<StreamHeader> header_for(const LightFieldShape& shape, const EncodeParams
 struct SettledCoding {
   EncodeParams params;
   LightFieldProbe probe;
+  double db_per_quality = kDbPerQuality;  ///< near the goal, as far as trials can say
 };
 
 /// Settles by trial what with_defaults() leaves open: the chroma format, and the reference groups

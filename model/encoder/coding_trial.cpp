@@ -31,16 +31,6 @@ struct Displaced {
   ImagePos at;
 };
 
-int32_t views_apart(ImagePos a, ImagePos b) {
-  return std::abs(row_offset(a, b)) + std::abs(col_offset(a, b));
-}
-
-// The first reference counts most.
-Displaced displaced_from_references(const Geometry& geometry, ImagePos at) {
-  const ReferenceImages places = reference_images(geometry, 0, at);
-  return {4 * views_apart(places[0], at) + views_apart(places[1], at), at};
-}
-
 // At most `count` predictive images of the last two rows and columns of groups, which are no
 // smaller than others (EXT-3), as far from their references as images of the whole grid are.
 std::vector<ImagePos> spread_images(const Geometry& geometry, size_t count) {
@@ -49,7 +39,7 @@ std::vector<ImagePos> spread_images(const Geometry& geometry, size_t count) {
   for (uint32_t r = 0; r < level.rows; ++r) {
     for (uint32_t c = 0; c < level.cols; ++c) {
       if (geometry.is_reference(0, {r, c})) continue;
-      all.push_back(displaced_from_references(geometry, {r, c}));
+      all.push_back({distance_from_references(geometry, {r, c}), {r, c}});
     }
   }
   std::ranges::stable_sort(all, {}, &Displaced::distance);

@@ -82,7 +82,8 @@ class LevelImages {
 ///  1. refine_keys() once, at a keyed level;
 ///  2. take_key() or encode_reference() for each reference image, from many threads;
 ///  3. decide_group() for each of part().groups, from one thread;
-///  4. encode_predictive() for each predictive image, from many threads.
+///  4. encode_predictive() for each predictive image, from many threads, and between such rounds
+///     change_quality().
 ///
 /// All but 2 are left out where part().predicts is false: references need not be kept then.
 /// Decisions must not depend on the order of concurrent calls: a stream is the same for any number
@@ -107,6 +108,9 @@ class LevelDecisions {
 
   /// Codes an image from its parent and the references of this level.
   virtual EncodedImage encode_predictive(ImagePos at, const ImagePlanes& original) = 0;
+
+  /// Predictive images are coded as for `quality` from now on (profile extended).
+  virtual void change_quality(double quality) = 0;
 };
 
 /// The decisions of one encoding, for fixed parameters.

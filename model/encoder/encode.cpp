@@ -2,6 +2,8 @@
 #include <hmlfc/encoder.hpp>
 
 #include <new>
+#include <optional>
+#include <utility>
 
 #include "bits/parallel.hpp"
 #include "encoder/cached_views.hpp"
@@ -24,7 +26,19 @@ EncodedStream encode_once(EncodeSession& session, const EncodeParams& params, bo
   return {session.stream(images), images.error, params};
 }
 
-// Checks and settles `params` for `goal`, null: their quality; calls body(session, settled params).
+// Likewise; the quality of `params` is where it begins, that of the result has its key images.
+EncodedStream encode_trimmed(EncodeSession& session, EncodeParams params, QualityTrim trim,
+                             const Progress& progress) {
+  std::optional<CodedImages> images;
+  while (!images) {
+    params.extended.quality = trim.key_quality();
+    ProgressCounter counter(progress, session.geometry().image_count());
+    images = session.encode_trimmed(params, trim, {[&] { counter.add(); }, {}});
+  }
+  return {session.stream(*images), images->error, params};
+}
+
+// Checks and settles `params` for `goal`, null: their quality; calls body(session, settled coding).
 template <class Body>
 Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
                     const EncodeGoal* goal, const Progress& progress, const Body& body) {
@@ -41,7 +55,7 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
         return;
       }
       EncodeSession session(views, *header, settled.probe);
-      encoded = body(session, settled.params);
+      encoded = body(session, settled);
     });
     return encoded;
   } catch (const std::bad_alloc&) {
@@ -54,8 +68,8 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
 Encoded encode(const LightField& light_field, const EncodeParams& params,
                const Progress& progress) {
   return run_encoder(light_field, params, nullptr, progress,
-                     [&](EncodeSession& session, const EncodeParams& settled) {
-                       return encode_once(session, settled, true, progress);
+                     [&](EncodeSession& session, const SettledCoding& settled) {
+                       return encode_once(session, settled.params, true, progress);
                      });
 }
 
@@ -68,8 +82,17 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
   if (target == EncodeTarget(TargetBytes{0})) return refused("a stream has at least one byte");
   EncodeParams lossy = params;
   lossy.lossless = false;
-  const auto search = [&](EncodeSession& session, const EncodeParams& settled) {
-    return search_target(light_field.shape(), settled, goal, [&](const EncodeParams& tried) {
+  const LightFieldShape& shape = light_field.shape();
+  const auto search = [&](EncodeSession& session, const SettledCoding& settled) {
+    EncodeParams from = settled.params;
+    if (goal.psnr() != nullptr && from.profile == Profile::kExtended) {
+      const QualityTrim trim(from.extended.quality, shape, goal.psnr()->db, goal.tolerance_db(),
+                             settled.db_per_quality);
+      EncodedStream trimmed = encode_trimmed(session, from, trim, progress);
+      if (goal.is_near(goal.surplus_db(trimmed, shape))) return trimmed;
+      from = trimmed.params;
+    }
+    return search_target(shape, from, goal, [&](const EncodeParams& tried) {
       return encode_once(session, tried, false, progress);
     });
   };

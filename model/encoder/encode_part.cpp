@@ -1,8 +1,11 @@
 #include "encoder/encode_part.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <tuple>
+
+#include "encoder/motion_prediction.hpp"
 
 namespace hmlfc {
 namespace {
@@ -227,6 +230,14 @@ std::vector<ImagePos> members_of(const Geometry& geometry, int level, ImagePos r
     }
   }
   return members;
+}
+
+int32_t distance_from_references(const Geometry& geometry, ImagePos at) {
+  const auto views_apart = [&](ImagePos reference) {
+    return std::abs(row_offset(reference, at)) + std::abs(col_offset(reference, at));
+  };
+  const ReferenceImages places = reference_images(geometry, 0, at);
+  return 4 * views_apart(places[0]) + views_apart(places[1]);
 }
 
 }  // namespace hmlfc

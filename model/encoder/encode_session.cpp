@@ -46,6 +46,7 @@ struct Walk {
   RkvTree& tree;
   CodedImages& coded;
   const EncodePart& part;
+  QualityTrim* trim;
   std::mutex error_mutex;
 };
 
@@ -58,22 +59,25 @@ class LevelWalk {
         images_(walk.views, walk.header, walk.geometry, walk.tree, level, walk.part),
         decisions_(walk.strategy.begin_level(images_)) {}
 
-  void run() {
+  // False: a trim lets all begin again.
+  bool run() {
     const LevelPart& part = images_.part();
     if (images_.shape().keyed && part.predicts) refine_keys();
-    parallel_for(part.references.size(), [&](size_t i) { encode_reference(i); });
+    std::vector<uint64_t> squares(part.references.size());
+    parallel_for(squares.size(), [&](size_t i) { squares[i] = encode_reference(i); });
     for (const ImagePos at : part.groups) {
       PlaneCode records = decisions_->decide_group(at);
       if (owned(at)) walk_.coded.records.open(number(at))[kMotionPlane] = std::move(records);
     }
-    parallel_for(part.predictive.size(), [&](size_t i) {
-      const ImagePos at = part.predictive[i];
-      finish(at, decisions_->encode_predictive(at, images_.original(at)));
-      if (owned(at)) walk_.coded.records.close(number(at));
-    });
+    if (walk_.trim == nullptr || images_.level() > 0) {
+      encode_predictive(part.predictive);
+    } else if (!encode_trimmed(*walk_.trim, squares)) {
+      return false;
+    }
     for (const ImagePos at : part.references) {
       if (owned(at)) walk_.coded.records.close(number(at));
     }
+    return true;
   }
 
  private:
@@ -86,6 +90,26 @@ class LevelWalk {
     return !walk_.part.views || owns(*walk_.part.views, walk_.header, images_.level(), at);
   }
 
+  bool encode_trimmed(QualityTrim& trim, std::span<const uint64_t> of_references) {
+    if (!trim.go_on(of_references)) return false;
+    for (const auto& round : QualityTrim::rounds(geometry_, images_.predictive())) {
+      decisions_->change_quality(trim.quality());
+      if (!trim.go_on(encode_predictive(round))) return false;
+    }
+    return true;
+  }
+
+  // Returns the squared errors of views, likewise below.
+  std::vector<uint64_t> encode_predictive(const std::vector<ImagePos>& images) {
+    std::vector<uint64_t> squares(images.size());
+    parallel_for(images.size(), [&](size_t i) {
+      const ImagePos at = images[i];
+      squares[i] = finish(at, decisions_->encode_predictive(at, images_.original(at)));
+      if (owned(at)) walk_.coded.records.close(number(at));
+    });
+    return squares;
+  }
+
   void refine_keys() {
     const auto& references = images_.references();
     keys_.resize(references.size());
@@ -94,17 +118,16 @@ class LevelWalk {
   }
 
   // Codes the i-th of references().
-  void encode_reference(size_t i) {
+  uint64_t encode_reference(size_t i) {
     const ImagePos at = images_.references()[i];
     if (!images_.shape().keyed) {
-      finish(at, decisions_->encode_reference(at, images_.original(at)));
-      return;
+      return finish(at, decisions_->encode_reference(at, images_.original(at)));
     }
     EncodedImage key;
     key.samples = keys_.empty() ? images_.original(at) : std::move(keys_[i]);
     parallel_for(kPlaneCount, [&](size_t p) { encode_key(at, kPlanes[p], key.samples[p]); });
     decisions_->take_key(at, key.samples);
-    finish(at, std::move(key));
+    return finish(at, std::move(key));
   }
 
   // Codes one plane of a key image; `samples` become what a decoder makes of it, in whole blocks.
@@ -125,19 +148,20 @@ class LevelWalk {
     samples = in_whole_blocks(inside, shape, geometry_.block_size());
   }
 
-  void finish(ImagePos at, EncodedImage image) {
+  uint64_t finish(ImagePos at, EncodedImage image) {
     const int level = images_.level();
+    ErrorSums error;
     if (owned(at)) walk_.coded.records.open(number(at)) = std::move(image.code);
     if (walk_.observer.reconstructed) walk_.observer.reconstructed(level, at, image.samples);
     if (level > 0) {
       walk_.tree.at(geometry_, level, at) = std::move(image.samples);
     } else if (!walk_.part.trial && owned(at)) {
-      const ErrorSums error =
-          view_error(walk_.views, at, image.samples, walk_.header.chroma_format);
+      error = view_error(walk_.views, at, image.samples, walk_.header.chroma_format);
       const std::scoped_lock lock(walk_.error_mutex);
       walk_.coded.error.add(error);
     }
     if (walk_.observer.image_done && owned(at)) walk_.observer.image_done();
+    return error.rgb_squares;
   }
 
   Walk& walk_;
@@ -173,20 +197,33 @@ CodedImages EncodeSession::no_images() const {
   return {CodedRecords(images, storage_), CodedKeys(keys, storage_), {}};
 }
 
-CodedImages EncodeSession::encode(const EncodeParams& params, bool last,
-                                  const EncodeObserver& observer) {
+RkvTree EncodeSession::originals(bool last) {
   if (!whole_) {
     whole_ = whole_part(geometry_);
     originals_ = tree_of(*whole_);
   }
+  return last ? std::move(originals_) : originals_;
+}
+
+CodedImages EncodeSession::encode(const EncodeParams& params, bool last,
+                                  const EncodeObserver& observer) {
+  RkvTree tree = originals(last);
   CodedImages coded = no_images();
   coded.keys = lossless_keys_;
-  RkvTree tree = last ? std::move(originals_) : originals_;
   walk(params, *whole_, tree, observer, coded);
   const auto strategy = strategy_of(params);
   const bool lossless = std::all_of(kPlanes.begin(), kPlanes.end(),
                                     [&](Plane plane) { return strategy->key_error(plane) == 0; });
   if (lossless && !last) lossless_keys_ = coded.keys;
+  return coded;
+}
+
+std::optional<CodedImages> EncodeSession::encode_trimmed(const EncodeParams& params,
+                                                         QualityTrim& trim,
+                                                         const EncodeObserver& observer) {
+  RkvTree tree = originals(false);
+  CodedImages coded = no_images();
+  if (!walk(params, *whole_, tree, observer, coded, &trim)) return std::nullopt;
   return coded;
 }
 
@@ -205,15 +242,17 @@ std::unique_ptr<DecisionStrategy> EncodeSession::strategy_of(const EncodeParams&
                                           : extended_decisions(header_, params, probe_);
 }
 
-void EncodeSession::walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
-                         const EncodeObserver& observer, CodedImages& coded) const {
+bool EncodeSession::walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
+                         const EncodeObserver& observer, CodedImages& coded,
+                         QualityTrim* trim) const {
   const auto strategy = strategy_of(params);
-  Walk walk{views_, header_, geometry_, *strategy, observer, tree, coded, part, {}};
+  Walk walk{views_, header_, geometry_, *strategy, observer, tree, coded, part, trim, {}};
   for (int level = geometry_.top(); level >= 0; --level) {
-    LevelWalk(walk, level).run();
+    if (!LevelWalk(walk, level).run()) return false;
     // The level above has served as parent for the last time.
     if (level < geometry_.top()) tree.levels[static_cast<size_t>(level)].clear();
   }
+  return true;
 }
 
 std::vector<uint8_t> EncodeSession::stream(const CodedImages& images) const {

@@ -11,6 +11,7 @@
 
 #include "encoder/coded_images.hpp"
 #include "encoder/decisions.hpp"
+#include "encoder/quality_trim.hpp"
 
 namespace hmlfc {
 
@@ -38,6 +39,10 @@ class EncodeSession {
   /// quality. `last`: the originals may be used up.
   CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer);
 
+  /// Likewise, not the last, with what `trim` says of predicted views; none where all begins again.
+  std::optional<CodedImages> encode_trimmed(const EncodeParams& params, QualityTrim& trim,
+                                            const EncodeObserver& observer);
+
   /// Nothing coded yet.
   CodedImages no_images() const;
 
@@ -52,8 +57,9 @@ class EncodeSession {
  private:
   RkvTree tree_of(const EncodePart& part) const;
   std::unique_ptr<DecisionStrategy> strategy_of(const EncodeParams& params) const;
-  void walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
-            const EncodeObserver& observer, CodedImages& coded) const;
+  RkvTree originals(bool last);
+  bool walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
+            const EncodeObserver& observer, CodedImages& coded, QualityTrim* trim = nullptr) const;
 
   const ViewProvider& views_;
   StreamHeader header_;

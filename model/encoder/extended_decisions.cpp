@@ -38,7 +38,10 @@ class ExtendedLevel final : public LevelDecisions {
         geometry_(images.geometry()),
         header_(images.header()),
         motion_(header_.has(Feature::kMotionTiles)),
-        groups_(images.group_count()) {}
+        lambda_(settings.lambda),
+        groups_(images.group_count()) {
+    for (size_t p = 0; p < kPlaneCount; ++p) rules_[p] = settings.targets[p].residuals;
+  }
 
   // Disparities are found in the originals: what they lose by that is not measurable, and so they
   // serve the refinement, too.
@@ -106,6 +109,13 @@ class ExtendedLevel final : public LevelDecisions {
     return image;
   }
 
+  void change_quality(double quality) override {
+    lambda_ = lambda_of_quality(quality);
+    for (const Plane plane : kPlanes) {
+      rules_[static_cast<size_t>(plane)] = residual_rules(lambda_, plane, header_.chroma_format);
+    }
+  }
+
  private:
   // Searches the disparities of the group of `reference`, if it has images to predict.
   void find_disparities(ImagePos reference) {
@@ -167,9 +177,8 @@ class ExtendedLevel final : public LevelDecisions {
   SamplePlane encode_plane(Plane plane, const ImagePlanes& original, const SamplePlane& prediction,
                            bool is_reference, EncodedImage& image) const {
     const auto p = static_cast<size_t>(plane);
-    ResidualPlane encoded =
-        encode_residuals(geometry_, plane, header_.depth, original[p], prediction, is_reference,
-                         settings_.targets[p].residuals);
+    ResidualPlane encoded = encode_residuals(geometry_, plane, header_.depth, original[p],
+                                             prediction, is_reference, rules_[p]);
     image.code[p] = std::move(encoded.code);
     image.samples[p] = std::move(encoded.samples);
     return std::move(encoded.residuals);
@@ -239,7 +248,7 @@ class ExtendedLevel final : public LevelDecisions {
   std::vector<MotionTileCode> decide_tiles(const MotionSources& sources, const SamplePlane& luma) {
     const SamplePlane target = motion_target(sources.at, luma);
     return decide_motion({sources, target, reference_planes(sources.places, 0),
-                          settings_.effort.choices, settings_.effort.vectors, settings_.lambda});
+                          settings_.effort.choices, settings_.effort.vectors, lambda_});
   }
 
   const Settings& settings_;
@@ -247,6 +256,8 @@ class ExtendedLevel final : public LevelDecisions {
   const Geometry& geometry_;
   const StreamHeader& header_;
   bool motion_;
+  Lambda lambda_;  // of motion
+  std::array<ResidualRules, kPlaneCount> rules_;
   std::vector<GroupReference> groups_;
 };
 

@@ -10,9 +10,10 @@ namespace hmlfc {
 namespace {
 
 // The errors that may be measured: the least, and the number of those that are each the square root
-// of two times the one before.
+// of two times the one before, for samples of 8 bits. A bit more has four times the error.
 constexpr double kLeastError = 0.25;
 constexpr int kErrorCount = 21;
+constexpr int kErrorsOfBit = 4;
 // Errors tried between two of them.
 constexpr int kParts = 8;
 
@@ -39,6 +40,8 @@ KeyCurve::KeyCurve(SamplePlane plane, int steps, SamplePrecision precision, KeyM
     : plane_(std::move(plane)),
       steps_(steps),
       precision_(precision),
+      error_count_(kErrorCount +
+                   kErrorsOfBit * (precision.bits - (precision.is_signed ? 1 : 0) - 8)),
       measure_(std::move(measure)) {}
 
 const std::vector<uint8_t>& KeyCurve::coded(int point) const {
@@ -62,7 +65,7 @@ const KeyCurve::Measured& KeyCurve::measured(int point) const {
 
 double KeyCurve::bits(double asked) const {
   int point = 0;
-  while (point + 2 < kErrorCount && asked >= asked_at(point + 1)) ++point;
+  while (point + 2 < error_count_ && asked >= asked_at(point + 1)) ++point;
   const double share = std::log2(asked / asked_at(point)) * 2;
   const auto size = [&](int at) { return static_cast<double>(coded(at).size()); };
   double bytes = size(point);
@@ -78,14 +81,15 @@ KeyCurve::Priced KeyCurve::least(double weight, Lambda lambda) const {
   const auto cost_at = [&](int point) { return cost(measured(point).key, measured(point).errors); };
   // From about where a bit costs what it saves, but not from where errors jump to 0.
   const double guess = 2 * std::log2(bit / (2 + 1.6 * weight) / kLeastError);
-  int point = static_cast<int>(std::clamp(std::round(guess), 4.0, kErrorCount - 1.0));
+  int point = static_cast<int>(std::clamp(std::round(guess), 4.0, error_count_ - 1.0));
   const auto is_last = [&] {
     const KeyPoint& key = measured(point).key;
-    return point + 1 == kErrorCount || key.error < key.asked / 8;  // nothing is left to lose
+    return point + 1 == error_count_ || key.error < key.asked / 8;  // nothing is left to lose
   };
   const int first = point;
   while (!is_last() && cost_at(point + 1) < cost_at(point)) ++point;
-  while (point <= first && point > 0 && cost_at(point - 1) < cost_at(point)) --point;
+  // Errors for which OpenJPEG keeps nothing all cost the same.
+  while (point <= first && point > 0 && cost_at(point - 1) <= cost_at(point)) --point;
 
   Priced best{measured(point).key, cost_at(point)};
   const int end = is_last() ? point : point + 1;

@@ -67,6 +67,7 @@ class KeyCurve {
   SamplePlane plane_;
   int steps_;
   SamplePrecision precision_;
+  int error_count_;
   KeyMeasure measure_;
   mutable std::map<int, std::vector<uint8_t>>
       coded_;  // by number of the error, from fine to coarse

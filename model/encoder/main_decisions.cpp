@@ -41,6 +41,8 @@ class MainLevel final : public LevelDecisions {
     return encode_image(at, original, params_.main.threshold_pred, false);
   }
 
+  void change_quality(double) override {}
+
  private:
   using References = std::array<std::optional<ReferencePlane>, kPlaneCount>;
 

@@ -17,6 +17,9 @@
 namespace hmlfc {
 namespace {
 
+// Level codes tried beside keeping all values as they are: up to 128 levels.
+constexpr unsigned kTriedCodes = 19;
+
 uint32_t energy_of(const BlockValues& values) {
   uint32_t sum = 0;
   for (const int32_t value : values.span()) sum += static_cast<uint32_t>(std::abs(value));
@@ -173,7 +176,7 @@ class PlaneEncoder {
   int64_t least_cost(const BlockValues& differences) const {
     ResidualCosts costs(differences, task_.lambda);
     std::array<LevelCosts, kTriedBiasBits.size()> rows;
-    costs.weigh(1, rows);
+    costs.weigh(1, kTriedCodes, rows);
     int64_t least = std::min(costs.zero(), exact_cost(differences));
     for (size_t b = 0; b < rows.size(); ++b) {
       const int64_t head = task_.lambda.cost(0, kTriedBiasBits[b] + kMaskBitsPerBlock);
@@ -188,6 +191,7 @@ class PlaneEncoder {
     for (const BlockDecision& decision : decisions) differences.push_back(decision.residual);
     ResidualRules rules{task_.lambda, 0, 0, 0};
     rules.bias_widths = kTriedBiasBits.size();
+    rules.level_codes = kTriedCodes;
     const ResidualTile tile = decide_residuals(differences, context, rules);
     const int64_t head = tile.mask == 0 ? task_.lambda.cost(0, kLeastResidualBits) : 0;
     size_t kept = 0;

@@ -144,7 +144,7 @@ class TileDecision {
  public:
   TileDecision(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
       : header_(task.sources.header),
-        lambda_(task.lambda),
+        lambda_{task.lambda.scaled >> shift_of(task.lambda)},
         fields_{task.sources.two_references(), !task.sources.keyed},
         grid_(task.sources.grid),
         vectors_(task.sources.keyed ? task.vectors : 0),

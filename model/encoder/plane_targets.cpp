@@ -71,6 +71,13 @@ Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma) {
   return lambda;
 }
 
+ResidualRules residual_rules(Lambda lambda, Plane plane, ChromaFormat chroma) {
+  ResidualRules rules;
+  rules.lambda = plane_lambda(lambda, plane, chroma);
+  rules.step_code = step_code_of(rules.lambda);
+  return rules;
+}
+
 SearchEffort effort_of(Preset preset) {
   switch (preset) {
     case Preset::kFast:
@@ -91,13 +98,11 @@ PlaneTargets plane_targets(const StreamHeader& header, const EncodeParams& param
   parallel_for(kPlaneCount, [&](size_t p) {
     const Plane plane = kPlanes[p];
     PlaneTarget& target = targets[p];
-    ResidualRules& rules = target.residuals;
-    rules.lossless = params.lossless;
-    rules.lambda = plane_lambda(lambda, plane, header.chroma_format);
-    rules.step_code = step_code_of(rules.lambda);
+    target.residuals = residual_rules(lambda, plane, header.chroma_format);
+    target.residuals.lossless = params.lossless;
     if (params.lossless) return;
-    target.key =
-        cheapest_key(probe.keys[p], weight, rules.lambda, images_per_key(Geometry(header)));
+    target.key = cheapest_key(probe.keys[p], weight, target.residuals.lambda,
+                              images_per_key(Geometry(header)));
   });
   return targets;
 }

@@ -39,12 +39,15 @@ std::vector<T> evenly_spread(const std::vector<T>& all, size_t count) {
 }
 
 /// Squared error of a sample of Y that is worth one bit: 1 at quality 100, doubled for every 8
-/// below; quality in [0, 100].
+/// below; quality in [-64, 100].
 Lambda lambda_of_quality(double quality);
 
 /// `lambda` for a plane: a squared error of Cg counts a quarter and one of Co a sixth of one of Y
 /// in RGB, on four pixels in 4:2:0.
 Lambda plane_lambda(Lambda lambda, Plane plane, ChromaFormat chroma);
+
+/// How residuals of a plane are decided with the `lambda` of Y.
+ResidualRules residual_rules(Lambda lambda, Plane plane, ChromaFormat chroma);
 
 /// Lambda, step and key error of every plane. A key image costs about what it saves in all images
 /// predicted from it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "arithmetic/bise.hpp"
 #include "arithmetic/rounding.hpp"
 #include "encoder/residual_writer.hpp"
 
@@ -30,16 +29,16 @@ ResidualCosts::ResidualCosts(const BlockValues& differences, Lambda lambda)
   }
 }
 
-void ResidualCosts::weigh(int32_t step, std::span<LevelCosts> costs) {
+unsigned ResidualCosts::weigh(int32_t step, unsigned codes, std::span<LevelCosts> costs) {
   quantize(step);
   for (LevelCosts& row : costs) row.fill(kNever);
   int64_t least = zero();
   int32_t bias = mean();
-  for (unsigned code = 0; code < kTriedCodes; ++code) {
+  for (unsigned code = 0; code < codes; ++code) {
     const Levels levels = levels_of_code(code);
     const auto bits = static_cast<int64_t>(bise_bits(levels, count_));
     // A code whose bits alone cost more than the cheapest so far is skipped.
-    if (lambda_.cost(0, bits) > least) break;
+    if (lambda_.cost(0, bits) > least) return code;
     const auto n = static_cast<int32_t>(levels.count);
     bias = least_bias(n, kTriedBiasBits[costs.size() - 1], bias);
     for (size_t b = costs.size(); b > 0; --b) {
@@ -49,6 +48,7 @@ void ResidualCosts::weigh(int32_t step, std::span<LevelCosts> costs) {
     }
     least = std::min(least, costs.back()[code]);
   }
+  return codes;
 }
 
 int32_t ResidualCosts::best_bias(int32_t step, unsigned level_code, unsigned bias_bits) {

@@ -6,13 +6,14 @@
 #include <limits>
 #include <span>
 
+#include "arithmetic/bise.hpp"
 #include "decoder/sample_plane.hpp"
 #include "encoder/rate_distortion.hpp"
 
 namespace hmlfc {
 
-/// Level codes 0 to kTriedCodes - 1 are tried: up to 128 levels.
-inline constexpr unsigned kTriedCodes = 19;
+/// The level codes of samples of 12 bits; samples of 8 bits have 28.
+inline constexpr unsigned kLevelCodes = max_residual_level_code(12) + 1;
 
 /// The widths of the field bias that are tried: with steps, the first four.
 inline constexpr std::array<unsigned, 8> kTriedBiasBits{0, 2, 3, 4, 5, 6, 7, 8};
@@ -22,7 +23,7 @@ inline constexpr size_t kBiasWidthsOfSteps = 4;
 inline constexpr int64_t kNever = std::numeric_limits<int64_t>::max() / 1024;
 
 /// Costs by level code; kNever where a code is not worth trying.
-using LevelCosts = std::array<int64_t, kTriedCodes>;
+using LevelCosts = std::array<int64_t, kLevelCodes>;
 
 /// Nearest multiple of `step` > 0, halves towards 0.
 constexpr int32_t quantized(int32_t value, int32_t step) {
@@ -43,9 +44,10 @@ class ResidualCosts {
   /// D + lambda R without a residual.
   int64_t zero() const { return lambda_.cost(squares_[count_], 0); }
 
-  /// D + lambda R of the block values alone, with `step`: the least for each level code, for the
-  /// first costs.size() in [1, 8] of kTriedBiasBits.
-  void weigh(int32_t step, std::span<LevelCosts> costs);
+  /// D + lambda R of the block values alone, with `step`: the least for each level code below
+  /// `codes`, for the first costs.size() in [1, 8] of kTriedBiasBits. Returns the number of codes
+  /// that may be worth trying; from there on costs are kNever.
+  unsigned weigh(int32_t step, unsigned codes, std::span<LevelCosts> costs);
 
   /// The bias of `bias_bits` bits in [0, 8] with the least error; the first of equal ones.
   int32_t best_bias(int32_t step, unsigned level_code, unsigned bias_bits);

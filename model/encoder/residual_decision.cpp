@@ -18,7 +18,7 @@ namespace {
 
 constexpr size_t kBlocks = size_t{kTileBlocks} * kTileBlocks;
 constexpr unsigned kMaxStepBits = 2;
-constexpr unsigned kMaxLevelBits = 3;
+constexpr unsigned kMaxLevelBits = 5;
 
 int64_t energy(const BlockValues& block) {
   int64_t sum = 0;
@@ -53,6 +53,7 @@ class HeadSearch {
         context_(context),
         lambda_(rules.lambda),
         widths_(rules.bias_widths),
+        codes_(std::min(rules.level_codes, max_residual_level_code(context.depth) + 1)),
         first_step_(rules.step_code - std::min(rules.step_code, rules.steps_below)),
         steps_(std::min(kMaxStepCode, rules.step_code + rules.steps_above) - first_step_ + 1) {}
 
@@ -80,22 +81,32 @@ class HeadSearch {
     }
     if (most <= head) return false;
     most = 0;
+    unsigned useful = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (worth[k] == 0) continue;
       Candidate& candidate = candidates_.emplace_back(Candidate{k, {differences_[k], lambda_}, {}});
       candidate.costs.resize(steps_ * widths_);
+      unsigned codes = 0;
       for (unsigned s = 0; s < steps_; ++s) {
-        candidate.weighed.weigh(step_of_code(first_step_ + s),
-                                std::span(candidate.costs).subspan(s * widths_, widths_));
+        const auto costs = std::span(candidate.costs).subspan(s * widths_, widths_);
+        codes =
+            std::max(codes, candidate.weighed.weigh(step_of_code(first_step_ + s), codes_, costs));
       }
       int64_t best = kNever;
       for (const LevelCosts& row : candidate.costs) {
         best = std::min(best, *std::min_element(row.begin(), row.end()));
       }
       const int64_t saved = candidate.weighed.zero() - best - least;
-      if (saved <= 0) candidates_.pop_back();
-      most += std::max<int64_t>(0, saved);
+      if (saved <= 0) {
+        candidates_.pop_back();
+        continue;
+      }
+      most += saved;
+      useful = std::max(useful, codes);
     }
+    while (level_bits_ < kMaxLevelBits && (2u << level_bits_) < useful) ++level_bits_;
+    // So far may fields reach that begin with a useful code.
+    codes_ = std::min(codes_, useful + (1u << level_bits_) - 1);
     return most > head;
   }
 
@@ -110,27 +121,26 @@ class HeadSearch {
 
   // All level_base and level_bits with steps [step, step + 2^step_bits - 1] and one bias width.
   void try_steps(unsigned step, unsigned step_bits, size_t bias) {
-    std::array<std::array<int64_t, kTriedCodes>, kMaxLevelBits + 1> gains{};
+    std::array<std::array<int64_t, kLevelCodes>, kMaxLevelBits + 1> gains{};
     Head head{step, step_bits, bias, 0, 0};
     for (const Candidate& candidate : candidates_) {
       LevelCosts row = candidate.costs[step * widths_ + bias];
       for (unsigned s = step + 1; s < step + (1u << step_bits); ++s) {
         const LevelCosts& other = candidate.costs[s * widths_ + bias];
-        for (size_t c = 0; c < kTriedCodes; ++c) row[c] = std::min(row[c], other[c]);
+        for (size_t c = 0; c < codes_; ++c) row[c] = std::min(row[c], other[c]);
       }
       const int64_t most = candidate.weighed.zero();
-      for (unsigned bits = 0; bits <= kMaxLevelBits; ++bits) {
+      for (unsigned bits = 0; bits <= level_bits_; ++bits) {
         head.level_bits = bits;
         const int64_t spent = most - lambda_.cost(0, head.header_bits() + kMaskBitsPerBlock);
-        for (size_t c = 0; c < kTriedCodes; ++c)
-          gains[bits][c] += std::max<int64_t>(0, spent - row[c]);
+        for (size_t c = 0; c < codes_; ++c) gains[bits][c] += std::max<int64_t>(0, spent - row[c]);
         // Now row[c] is the least of codes c to c + 2^(bits + 1) - 1.
         const size_t half = size_t{1} << bits;
-        for (size_t c = 0; c + half < kTriedCodes; ++c) row[c] = std::min(row[c], row[c + half]);
+        for (size_t c = 0; c + half < codes_; ++c) row[c] = std::min(row[c], row[c + half]);
       }
     }
-    for (unsigned bits = 0; bits <= kMaxLevelBits; ++bits) {
-      for (unsigned base = 0; base + (1u << bits) <= kTriedCodes; ++base) {
+    for (unsigned bits = 0; bits <= level_bits_; ++bits) {
+      for (unsigned base = 0; base + (1u << bits) <= codes_; ++base) {
         if (gains[bits][base] <= best_gain_) continue;
         best_gain_ = gains[bits][base];
         best_ = {step, step_bits, bias, base, bits};
@@ -202,7 +212,9 @@ class HeadSearch {
   std::span<const BlockValues> differences_;
   const TileContext& context_;
   Lambda lambda_;
-  size_t widths_;  // of the bias
+  size_t widths_;            // of the bias
+  unsigned codes_;           // of levels
+  unsigned level_bits_ = 3;  // at most
   unsigned first_step_;
   unsigned steps_;
   std::deque<Candidate> candidates_;

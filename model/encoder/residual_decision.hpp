@@ -27,6 +27,7 @@ struct ResidualRules {
   unsigned steps_above = 2;                 ///< coarser ones
   bool lossless = false;                    ///< every difference is kept: step 1, no clipping
   size_t bias_widths = kBiasWidthsOfSteps;  ///< of kTriedBiasBits, in [1, 8]
+  unsigned level_codes = kLevelCodes;       ///< tried
 };
 
 /// The residuals of a tile.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -23,9 +24,9 @@ constexpr uint32_t kUsualGroup = 5;
 // For a target, the quality that trials predict is refined so often at most, until it moves by less
 // than kNextQuality. What was found for a quality serves others that are near; where the first one
 // is not, nothing is looked for with it.
-constexpr int kMaxRounds = 5;
+constexpr int kMaxRounds = 3;
 constexpr double kNextQuality = 2;
-constexpr double kNearQuality = 8;
+constexpr double kNearQuality = 12;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
 
@@ -151,8 +152,7 @@ uint32_t size_at_most(const std::vector<uint32_t>& sizes, uint32_t wanted) {
 double max_chroma_error(const LightFieldShape& shape, const EncodeParams& params,
                         const EncodeGoal* goal) {
   if (goal != nullptr && goal->psnr() != nullptr) {
-    const double peak = static_cast<double>((1 << shape.depth) - 1);
-    return peak * peak * std::pow(10.0, -goal->psnr()->db / 10) / 8;
+    return error_of_psnr(goal->psnr()->db, shape.depth) / 8;
   }
   return static_cast<double>(lambda_of_quality(params.extended.quality).scaled) / 256 / 10;
 }
@@ -180,8 +180,7 @@ void search_coding(const LightFieldShape& shape, const ViewProvider& part,
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
-  std::pair<double, double> ends[2];  // nearest to the goal, below and above it: quality, surplus
-  bool known[2] = {false, false};
+  std::optional<QualitySurplus> last;
   for (int round = 0; round < kMaxRounds; ++round) {
     CodingSearch search(shape, part, found, settled.probe, progress);
     const double first = search.surplus_db(goal);
@@ -193,18 +192,11 @@ void search_coding(const LightFieldShape& shape, const ViewProvider& part,
     }
     found = search.best();
     if (goal == nullptr) break;
-    const double tried = found.extended.quality;
-    const double surplus = search.surplus_db(goal);
-    const auto& [coarse, fine] = ends;
-    known[surplus >= 0] = true;
-    ends[surplus >= 0] = {tried, surplus};
-    double next = tried - surplus / kDbPerQuality;
-    if (known[0] && known[1]) {
-      next = coarse.first +
-             (fine.first - coarse.first) * (coarse.second / (coarse.second - fine.second));
-    }
-    found.extended.quality = std::round(std::clamp(next, 0.0, 100.0) * 8) / 8;
-    if (std::abs(found.extended.quality - tried) < kNextQuality) break;
+    const QualitySurplus now{found.extended.quality, search.surplus_db(goal)};
+    if (last) settled.db_per_quality = db_per_quality(*last, now);
+    found.extended.quality = next_quality(now, settled.db_per_quality, shape.depth);
+    if (std::abs(found.extended.quality - now.quality) < kNextQuality) break;
+    last = now;
   }
 }
 

@@ -25,7 +25,7 @@ double share_to(const Attempt& fine, const Attempt& coarse) {
 class Coarseness {
  public:
   virtual ~Coarseness() = default;
-  virtual int64_t first() const = 0;
+  virtual int64_t of(const EncodeParams& params) const = 0;
   virtual int64_t coarsest() const = 0;
   virtual void apply(int64_t coarseness, EncodeParams& params) const = 0;
 
@@ -38,9 +38,7 @@ class Coarseness {
 // Profile main: both thresholds. PSNR falls about linearly with their logarithm.
 class Thresholds final : public Coarseness {
  public:
-  explicit Thresholds(const MainParams& params) : first_(params.threshold_pred) {}
-
-  int64_t first() const override { return first_; }
+  int64_t of(const EncodeParams& params) const override { return params.main.threshold_pred; }
   // The least threshold that drops every block of every plane: 64 differences of at most 8190.
   int64_t coarsest() const override { return 64 * 8190 + 1; }
 
@@ -60,22 +58,21 @@ class Thresholds final : public Coarseness {
     const int64_t at = std::lround(std::exp2(low + (high - low) * share) - 1);
     return std::clamp(at, fine.coarseness + 1, coarse.coarseness - 1);
   }
-
- private:
-  int64_t first_;
 };
 
 // Profile extended: eighths of quality below 100. PSNR is about linear in quality.
 class QualityLoss final : public Coarseness {
  public:
-  explicit QualityLoss(const ExtendedParams& params)
-      : first_(std::clamp<int64_t>(kMaxLoss - std::lround(params.quality * kParts), 0, kMaxLoss)) {}
+  explicit QualityLoss(int depth)
+      : coarsest_(std::lround((100 - lowest_quality(depth)) * kParts)) {}
 
-  int64_t first() const override { return first_; }
-  int64_t coarsest() const override { return kMaxLoss; }
+  int64_t of(const EncodeParams& params) const override {
+    return std::clamp<int64_t>(std::lround((100 - params.extended.quality) * kParts), 0, coarsest_);
+  }
+  int64_t coarsest() const override { return coarsest_; }
 
   void apply(int64_t coarseness, EncodeParams& params) const override {
-    params.extended.quality = static_cast<double>(kMaxLoss - coarseness) / kParts;
+    params.extended.quality = 100 - static_cast<double>(coarseness) / kParts;
   }
 
   int64_t finer(const Attempt& coarse) const override {
@@ -83,7 +80,7 @@ class QualityLoss final : public Coarseness {
   }
 
   int64_t coarser(const Attempt& fine) const override {
-    return std::min(kMaxLoss, fine.coarseness + steps(fine.surplus_db));
+    return std::min(coarsest_, fine.coarseness + steps(fine.surplus_db));
   }
 
   int64_t between(const Attempt& fine, const Attempt& coarse) const override {
@@ -95,7 +92,6 @@ class QualityLoss final : public Coarseness {
 
  private:
   static constexpr int64_t kParts = 8;
-  static constexpr int64_t kMaxLoss = 100 * kParts;
   static constexpr double kDbPerStep = kDbPerQuality / kParts;
 
   // The steps that are worth `db`, at least one.
@@ -103,16 +99,13 @@ class QualityLoss final : public Coarseness {
     return std::isfinite(db) ? std::max<int64_t>(1, std::lround(db / kDbPerStep)) : kParts;
   }
 
-  int64_t first_;
+  int64_t coarsest_;
 };
 
-std::unique_ptr<Coarseness> coarseness_of(const EncodeParams& params) {
-  if (params.profile == Profile::kMain) return std::make_unique<Thresholds>(params.main);
-  return std::make_unique<QualityLoss>(params.extended);
+std::unique_ptr<Coarseness> coarseness_of(const EncodeParams& params, int depth) {
+  if (params.profile == Profile::kMain) return std::make_unique<Thresholds>();
+  return std::make_unique<QualityLoss>(depth);
 }
-
-// A search goes so many times farther than its axis says, at most.
-constexpr double kMostPace = 8;
 
 class TargetSearch {
  public:
@@ -122,10 +115,10 @@ class TargetSearch {
         params_(params),
         goal_(goal),
         encode_(attempt),
-        axis_(coarseness_of(params)) {}
+        axis_(coarseness_of(params, shape.depth)) {}
 
   EncodedStream run() {
-    for (int64_t next = axis_->first();; next = next_try()) {
+    for (int64_t next = axis_->of(params_);; next = next_try()) {
       attempt(next);
       if (done()) return std::move(best_);
     }
@@ -139,46 +132,31 @@ class TargetSearch {
     return coarse_->coarseness - fine_->coarseness <= 1;
   }
 
+  // Where PSNR moves in large steps, a search would go on for little.
   bool is_near(const Attempt& attempt) const {
-    // Where PSNR moves in large steps, a search would go on for little.
-    const double near = goal_.tolerance_db() * (goal_.is_least() ? 1 + attempts_ / 4 : 1);
-    return goal_.is_met(attempt.surplus_db) && std::abs(attempt.surplus_db) < near;
+    return goal_.is_near(attempt.surplus_db, goal_.is_least() ? 1 + attempts_ / 4 : 1);
   }
 
   // Aims at the middle of what is near enough.
   int64_t next_try() {
     const double aim = (goal_.is_least() ? 0.5 : -0.5) * goal_.tolerance_db();
-    const auto off = [&](const Attempt& attempt) {
-      return Attempt{attempt.coarseness, attempt.surplus_db - aim};
+    const auto off = [&](const Attempt& attempt, double times) {
+      return Attempt{attempt.coarseness, (attempt.surplus_db - aim) * times};
     };
-    if (!fine_) return axis_->finer(farther(off(*coarse_)));
-    if (!coarse_) return axis_->coarser(farther(off(*fine_)));
-    Attempt fine = off(*fine_);
-    Attempt coarse = off(*coarse_);
+    const double times = 1 << std::min(times_in_row_ - 1, 10);
+    // On noise, PSNR hardly moves with quality: the search goes ever farther.
+    if (!fine_) return axis_->finer(off(*coarse_, times));
+    if (!coarse_) return axis_->coarser(off(*fine_, times));
     // What was tried long ago counts for less, or the other end would move on in small steps.
-    (last_is_fine_ ? coarse : fine).surplus_db /= 1 << std::min(times_in_row_ - 1, 10);
-    return axis_->between(fine, coarse);
-  }
-
-  // With the surplus as what the axis takes for a step comes to so far: on noise, PSNR hardly moves
-  // with quality. `at` is the last attempt, all before were on its side.
-  Attempt farther(Attempt at) {
-    if (last_off_ != 0) {
-      const double gained = (last_off_ - at.surplus_db) / (last_off_ * pace_);
-      pace_ = gained > 0 ? std::clamp(1 / gained, 1.0, kMostPace) : kMostPace;
-    }
-    last_off_ = at.surplus_db;
-    at.surplus_db *= pace_;
-    return at;
+    return axis_->between(off(*fine_, last_is_fine_ ? 1 : 1 / times),
+                          off(*coarse_, last_is_fine_ ? 1 / times : 1));
   }
 
   void attempt(int64_t coarseness) {
     EncodeParams params = params_;
     axis_->apply(coarseness, params);
     EncodedStream stream = encode_(params);
-    const uint64_t samples = uint64_t{shape_.rows} * shape_.cols * shape_.width * shape_.height * 3;
-    const double psnr_db = psnr(stream.error.rgb_squares, samples, shape_.depth);
-    const double surplus = goal_.surplus_db(psnr_db, static_cast<double>(stream.bytes.size()));
+    const double surplus = goal_.surplus_db(stream, shape_);
     const bool met = goal_.is_met(surplus);
     const bool is_fine = met == goal_.is_least();
     (is_fine ? fine_ : coarse_) = Attempt{coarseness, surplus};
@@ -201,8 +179,6 @@ class TargetSearch {
   int attempts_ = 0;
   bool last_is_fine_ = false;
   int times_in_row_ = 0;  // that attempts ended there
-  double last_off_ = 0;   // the surplus that farther() began with before, 0 at first
-  double pace_ = 1;       // times the steps that the axis takes
 };
 
 }  // namespace

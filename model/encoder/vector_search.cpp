@@ -9,7 +9,7 @@ namespace hmlfc {
 
 VectorSearch::VectorSearch(const MotionTask& task, const std::vector<PaletteEntry>& symbols)
     : task_(task),
-      estimate_(task.lambda),
+      estimate_(task.lambda, shift_of(task.lambda)),
       bound_(reference_bound(Plane::kY, task.sources.header.depth, true)) {
   for (const PaletteEntry& symbol : symbols) {
     const bool one = references_of_set(symbol.reference_set).count == 1;

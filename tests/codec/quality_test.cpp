@@ -22,9 +22,9 @@ EncodeParams extended() {
   return params;
 }
 
-double rgb_psnr(const EncodedStream& stream) {
+double rgb_psnr(const EncodedStream& stream, int depth = kShape.depth) {
   const uint64_t samples = uint64_t{kShape.rows} * kShape.cols * kShape.width * kShape.height * 3;
-  return psnr(stream.error.rgb_squares, samples, kShape.depth);
+  return psnr(stream.error.rgb_squares, samples, depth);
 }
 
 TEST(Quality, MoreQualityIsMorePsnrAndMoreBytes) {
@@ -45,18 +45,43 @@ TEST(Quality, MoreQualityIsMorePsnrAndMoreBytes) {
 
 TEST(Quality, OutsideItsIntervalIsRefused) {
   const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
+  const LightField deep = test::textured_light_field({1, 1, 8, 8, 10}, 1, 0);
+  EncodeParams params = extended();
   for (const double quality : {-0.5, 100.5, std::numeric_limits<double>::quiet_NaN()}) {
-    EncodeParams params = extended();
     params.extended.quality = quality;
     EXPECT_FALSE(encode(field, params).has_value()) << quality;
   }
+  params.extended.quality = -32;
+  EXPECT_TRUE(encode(deep, params).has_value());
+  params.extended.quality = -32.5;
+  EXPECT_FALSE(encode(deep, params).has_value());
 }
 
-EncodeParams main_params() {
-  EncodeParams params;
-  params.profile = Profile::kMain;
-  params.chroma = ChromaFormat::k444;
-  return params;
+// Key images keep what costs few bits and most of the PSNR: their mean colour.
+TEST(Quality, LowQualityKeepsColour) {
+  LightField field = test::textured_light_field(kShape, 2, 0);
+  for (uint32_t row = 0; row < kShape.rows; ++row) {
+    for (uint32_t col = 0; col < kShape.cols; ++col) {
+      RgbImage view = field.view(row, col);
+      for (size_t i = 0; i < view.samples.size(); i += 3) {
+        const auto grey = static_cast<uint16_t>(view.samples[i] / 16);
+        view.samples[i] = grey;
+        view.samples[i + 1] = static_cast<uint16_t>(grey + 12 + i / 3 % 7);
+        view.samples[i + 2] = static_cast<uint16_t>(grey + 10);
+      }
+      field.set_view(row, col, std::move(view));
+    }
+  }
+  EncodeParams params = extended();
+  params.ref_rows = params.ref_cols = 5;
+  double last = 0;
+  for (double quality = 40; quality >= 0; quality -= 4) {
+    params.extended.quality = quality;
+    const auto encoded = encode(field, params);
+    ASSERT_TRUE(encoded.has_value());
+    EXPECT_GT(rgb_psnr(*encoded), last - 5) << "quality " << quality;
+    last = rgb_psnr(*encoded);
+  }
 }
 
 TEST(Quality, GridsAndTilesOutsideTheirIntervalsAreRefused) {
@@ -68,6 +93,13 @@ TEST(Quality, GridsAndTilesOutsideTheirIntervalsAreRefused) {
   EXPECT_FALSE(encode(field, tile).has_value());
 }
 
+EncodeParams main_params() {
+  EncodeParams params;
+  params.profile = Profile::kMain;
+  params.chroma = ChromaFormat::k444;
+  return params;
+}
+
 TEST(TargetPsnr, IsReachedAndNotMuchMore) {
   struct Kind {
     EncodeParams params;
@@ -76,7 +108,7 @@ TEST(TargetPsnr, IsReachedAndNotMuchMore) {
   };
   const LightField field = test::textured_light_field(kShape, 11, 12);
   for (const Kind& kind :
-       {Kind{extended(), 0.02, [](EncodeParams& p) { p.extended.quality -= 0.125; }},
+       {Kind{extended(), 0.03, [](EncodeParams& p) { p.extended.quality -= 0.125; }},
         Kind{main_params(), 0.02, [](EncodeParams& p) {
                EXPECT_EQ(p.main.threshold_pred, p.main.threshold_ref);
                ++p.main.threshold_ref;
@@ -93,6 +125,18 @@ TEST(TargetPsnr, IsReachedAndNotMuchMore) {
       ASSERT_TRUE(missed.has_value());
       EXPECT_LT(rgb_psnr(*missed), target);
     }
+  }
+}
+
+TEST(TargetPsnr, IsReachedWithDeepSamples) {
+  const LightField field = test::textured_light_field(
+      {kShape.rows, kShape.cols, kShape.width, kShape.height, 12}, 11, 50);
+  for (const double target : {30.0, 50.0}) {
+    const auto encoded = encode_to(field, extended(), TargetPsnr{target});
+    ASSERT_TRUE(encoded.has_value());
+    EXPECT_GE(rgb_psnr(*encoded, 12), target);
+    EXPECT_LT(rgb_psnr(*encoded, 12), target + 1);
+    EXPECT_EQ(encoded->params.extended.quality < 0, target < 40);
   }
 }
 

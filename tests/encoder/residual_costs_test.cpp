@@ -42,10 +42,10 @@ TEST(ResidualCosts, AreTheLeastOverAllBiases) {
     ResidualCosts weighed(block, lambda);
     const int32_t step = 1 + round % 7;
     std::array<LevelCosts, kTriedBiasBits.size()> costs;
-    weighed.weigh(step, costs);
+    weighed.weigh(step, 28, costs);
     for (size_t b = 0; b < costs.size(); ++b) {
       const unsigned bits = kTriedBiasBits[b];
-      for (unsigned code = 0; code < kTriedCodes; ++code) {
+      for (unsigned code = 0; code < 28; ++code) {
         if (costs[b][code] == kNever) continue;
         const Levels levels = levels_of_code(code);
         const auto n = static_cast<int32_t>(levels.count);

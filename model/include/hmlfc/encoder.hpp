@@ -38,14 +38,17 @@ struct MainParams {
   bool rate_distortion = false;
 };
 
-/// The threshold that stands for `quality` in [0, 100]: 75 for 60, twice that for every 10 below.
+/// The lowest quality of samples of `depth` bits, [8, 12]: quality counts in steps of a sample.
+constexpr double lowest_quality(int depth) { return 16.0 * (8 - depth); }
+
+/// The threshold that stands for `quality` in [-64, 100]: 75 for 60, twice that for every 10 below.
 inline uint32_t threshold_of_quality(double quality) {
   return static_cast<uint32_t>(std::lround(75 * std::exp2((60 - quality) / 10)));
 }
 
 /// Parameters of profile extended alone.
 struct ExtendedParams {
-  double quality = 60;              ///< [0, 100]; higher is better and larger
+  double quality = 60;              ///< [lowest_quality(), 100]; higher is better and larger
   Preset preset = Preset::kMedium;  ///< how long to search
   /// Samples a side for which a reference group has one disparity: 4 or 8, at least block_size, or
   /// open with 0: found by trial.
@@ -117,10 +120,12 @@ using EncodeTarget = std::variant<TargetPsnr, TargetBytes>;
 
 /// Encodes with the lowest quality, in eighths (in profile main: with the largest thresholds, both
 /// equal), whose PSNR is at least that of `target`, or with the highest that takes no more bytes
-/// than `target` has. A result within 0.02 dB or two percent of the bytes is near enough. Where
-/// no quality meets the target (subsampled chroma limits the PSNR, key images take bytes), the
-/// result is the nearest there is. The first quality tried is the one that trials predict, the
-/// first threshold threshold_pred of `params`. params.lossless is ignored.
+/// than `target` has. For a PSNR, in profile extended, the quality of the result is that of its key
+/// images, and predicted views have others, at most 4 away. A result within 0.03 dB or two percent
+/// of the bytes is near enough. Where no quality meets the target (subsampled chroma limits the
+/// PSNR, key images take bytes), the result is the nearest there is. The first quality tried is the
+/// one that trials predict, the first threshold threshold_pred of `params`. params.lossless is
+/// ignored.
 HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to(const LightField& light_field,
                                                                 const EncodeParams& params,
                                                                 const EncodeTarget& target,
