@@ -85,7 +85,9 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
   const LightFieldShape& shape = light_field.shape();
   const auto search = [&](EncodeSession& session, const SettledCoding& settled) {
     EncodeParams from = settled.params;
-    if (goal.psnr() != nullptr && from.profile == Profile::kExtended) {
+    const LevelShape& views = session.geometry().level(0);
+    const bool predicts = views.ref_rows > 1 || views.ref_cols > 1;
+    if (goal.psnr() != nullptr && predicts && from.profile == Profile::kExtended) {
       const QualityTrim trim(from.extended.quality, shape, goal.psnr()->db, goal.tolerance_db(),
                              settled.db_per_quality);
       EncodedStream trimmed = encode_trimmed(session, from, trim, progress);

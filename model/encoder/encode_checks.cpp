@@ -22,8 +22,8 @@ const char* problem_of(const LightFieldShape& shape, const EncodeParams& params)
   checked.ref_cols = std::max(1u, complete.ref_cols);
   checked.chroma = complete.chroma.value_or(ChromaFormat::k420);
   const double quality = params.extended.quality;
-  if (!(quality >= lowest_quality(shape.depth) && quality <= 100)) {
-    return "the quality is outside [0, 100], or from 16 less on for each bit of a sample above 8";
+  if (!(quality >= lowest_quality(shape.depth) && quality <= kHighestQuality)) {
+    return "the quality is outside [0, 132], or from 16 less on for each bit of a sample above 8";
   }
   if (!has_known_extended_choices(params.extended)) return kOutsideInterval;
   if (!header_for(shape, checked)) return kOutsideInterval;

@@ -29,7 +29,7 @@ inline double db_per_quality(const QualitySurplus& a, const QualitySurplus& b) {
 /// `db_per_quality`.
 inline double next_quality(const QualitySurplus& now, double db_per_quality, int depth) {
   const double next = now.quality - now.db / db_per_quality;
-  return std::round(std::clamp(next, lowest_quality(depth), 100.0) * 8) / 8;
+  return std::round(std::clamp(next, lowest_quality(depth), kHighestQuality) * 8) / 8;
 }
 
 /// The mean squared error of samples of `depth` bits with a PSNR of `db`.

@@ -39,7 +39,7 @@ std::vector<T> evenly_spread(const std::vector<T>& all, size_t count) {
 }
 
 /// Squared error of a sample of Y that is worth one bit: 1 at quality 100, doubled for every 8
-/// below; quality in [-64, 100].
+/// below; quality in [-64, 132].
 Lambda lambda_of_quality(double quality);
 
 /// `lambda` for a plane: a squared error of Cg counts a quarter and one of Co a sixth of one of Y

@@ -60,19 +60,20 @@ class Thresholds final : public Coarseness {
   }
 };
 
-// Profile extended: eighths of quality below 100. PSNR is about linear in quality.
+// Profile extended: eighths of quality below the highest. PSNR is about linear in quality.
 class QualityLoss final : public Coarseness {
  public:
   explicit QualityLoss(int depth)
-      : coarsest_(std::lround((100 - lowest_quality(depth)) * kParts)) {}
+      : coarsest_(std::lround((kHighestQuality - lowest_quality(depth)) * kParts)) {}
 
   int64_t of(const EncodeParams& params) const override {
-    return std::clamp<int64_t>(std::lround((100 - params.extended.quality) * kParts), 0, coarsest_);
+    return std::clamp<int64_t>(std::lround((kHighestQuality - params.extended.quality) * kParts), 0,
+                               coarsest_);
   }
   int64_t coarsest() const override { return coarsest_; }
 
   void apply(int64_t coarseness, EncodeParams& params) const override {
-    params.extended.quality = 100 - static_cast<double>(coarseness) / kParts;
+    params.extended.quality = kHighestQuality - static_cast<double>(coarseness) / kParts;
   }
 
   int64_t finer(const Attempt& coarse) const override {

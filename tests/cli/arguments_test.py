@@ -72,7 +72,7 @@ class Arguments(CliTest):
                         "4294967296,0", "0..1:4294967296,0"],
             "--profile": ["Main", ""],
             "--preset": ["medium-fast", ""],
-            "--quality": ["-1", "100.5", "nan", "best"],
+            "--quality": ["-65", "132.5", "nan", "best"],
             "--method": ["hevc", ""],
             "--cluster": ["0x1", "256x1", "2"],
             "--height": ["-1", "16", "3.0"],

@@ -31,7 +31,7 @@ TEST(Quality, MoreQualityIsMorePsnrAndMoreBytes) {
   const LightField field = test::textured_light_field(kShape, 2, 12);
   double last_psnr = 0;
   size_t last_bytes = 0;
-  for (const double quality : {20.0, 40.0, 60.0, 80.0, 100.0}) {
+  for (const double quality : {20.0, 40.0, 60.0, 80.0, 100.0, 132.0}) {
     EncodeParams params = extended();
     params.extended.quality = quality;
     const auto encoded = encode(field, params);
@@ -47,7 +47,7 @@ TEST(Quality, OutsideItsIntervalIsRefused) {
   const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
   const LightField deep = test::textured_light_field({1, 1, 8, 8, 10}, 1, 0);
   EncodeParams params = extended();
-  for (const double quality : {-0.5, 100.5, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double quality : {-0.5, 132.5, std::numeric_limits<double>::quiet_NaN()}) {
     params.extended.quality = quality;
     EXPECT_FALSE(encode(field, params).has_value()) << quality;
   }
@@ -148,7 +148,7 @@ TEST(TargetPsnr, OutOfReachGivesTheBestThereIs) {
     ASSERT_TRUE(encoded.has_value());
     const bool main = params.profile == Profile::kMain;
     EXPECT_TRUE(main ? encoded->params.main.threshold_pred == 0
-                     : encoded->params.extended.quality == 100);
+                     : encoded->params.extended.quality == kHighestQuality);
     EXPECT_LT(rgb_psnr(*encoded), 90);
   }
 }

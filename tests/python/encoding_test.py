@@ -136,7 +136,7 @@ time.sleep(0.3)"""
             (pixels, {"depth": 10}, "depth 8"),
             (pixels.astype(np.uint16), {"depth": 13}, r"\[8, 12\]"),
             (pixels, {"profile": "best"}, "'main', 'extended'"),
-            (pixels, {"quality": 101}, r"quality lies in \[-64, 100\]"),
+            (pixels, {"quality": 133}, r"quality lies in \[-64, 132\]"),
             (pixels, {"block_size": 5}, "block_size"),
             (pixels, {"tree_height": 16}, "tree_height"),
             (pixels, {"threads": 1025}, r"threads lies in \[0, 1024\]"),

@@ -95,7 +95,7 @@ void add_coding_options(CLI::App& app, CodingOptions& options) {
   add_choice(app, "--profile", options.params.profile,
              {{"main", Profile::kMain}, {"extended", Profile::kExtended}}, "Profile of the stream")
       ->default_str("extended");
-  add_decimal(app, "--quality", "Q", options.quality, -64, 100,
+  add_decimal(app, "--quality", "Q", options.quality, -64, kHighestQuality,
               "Higher is better and larger (default 60)");
   add_decimal(app, "--target-psnr", "DB", options.target_psnr, 1, 100,
               "Find the lowest quality with this PSNR over RGB");

@@ -16,7 +16,7 @@ struct CodingOptions {
   std::optional<double> target_psnr;  ///< dB over RGB
   std::optional<double> target_bpp;   ///< bits per pixel of all views
   std::optional<uint64_t> max_bytes;  ///< of the file
-  std::optional<double> quality;      ///< [-64, 100]
+  std::optional<double> quality;      ///< [-64, 132]
 };
 
 /// "fast", "medium" or "slow".

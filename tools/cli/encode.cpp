@@ -158,8 +158,8 @@ void add_encode(CLI::App& program, Task& task) {
       R"(Profile main has the tools of the paper. It drops blocks whose energy, the sum of the absolute
 differences from the prediction, is below --threshold-*; --quality Q means 75 * 2^((60 - Q) / 10). With
 --rate-distortion squared errors decide against bits: about a quarter fewer bits at equal PSNR.
-Quality counts in steps of a sample: for the same PSNR, each bit above 8 takes 16 less (main: 10), and
-the lowest quality is 16 lower. For --target-psnr the quality told is that of key images.
+Quality lies in [0, 132] and counts in steps of a sample: for the same PSNR, each bit above 8 takes 16
+less (main: 10), and the lowest is 16 lower. For --target-psnr the quality told is that of key images.
 Profile extended chooses by rate and distortion; without --references it finds the reference groups by
 trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
 --preset trades encoding time for size. What takes more than ten seconds begins with a forecast, with

@@ -52,7 +52,7 @@ void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outco
 void note_missed_psnr(double target, const EncodeOutcome& outcome) {
   const bool main = outcome.params.profile == Profile::kMain;
   note(fmt::format("--target-psnr {} was not reached: even {} {} only{}", target,
-                   main ? "thresholds of 0 give" : "quality 100 gives",
+                   main ? "thresholds of 0 give" : "quality 132 gives",
                    psnr_text(outcome.quality.psnr_rgb),
                    outcome.stream.header.chroma_format == ChromaFormat::k420
                        ? "; half-size chroma may limit it, try --chroma 444"

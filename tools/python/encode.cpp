@@ -132,7 +132,7 @@ EncodeParams params_of(const Options& given) {
   EncodeParams params;
   params.profile = given.choice<Profile>(
       "profile", {{"main", Profile::kMain}, {"extended", Profile::kExtended}});
-  params.extended.quality = given.get<double>("quality", -64, 100).value();
+  params.extended.quality = given.get<double>("quality", -64, kHighestQuality).value();
   params.main.threshold_ref = threshold_of_quality(params.extended.quality);
   params.main.threshold_pred = params.main.threshold_ref;
   params.lossless = given.get<bool>("lossless");

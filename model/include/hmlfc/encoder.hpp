@@ -41,14 +41,16 @@ struct MainParams {
 /// The lowest quality of samples of `depth` bits, [8, 12]: quality counts in steps of a sample.
 constexpr double lowest_quality(int depth) { return 16.0 * (8 - depth); }
 
-/// The threshold that stands for `quality` in [-64, 100]: 75 for 60, twice that for every 10 below.
+inline constexpr double kHighestQuality = 132;
+
+/// The threshold that stands for `quality` in [-64, 132]: 75 for 60, twice that for every 10 below.
 inline uint32_t threshold_of_quality(double quality) {
   return static_cast<uint32_t>(std::lround(75 * std::exp2((60 - quality) / 10)));
 }
 
 /// Parameters of profile extended alone.
 struct ExtendedParams {
-  double quality = 60;              ///< [lowest_quality(), 100]; higher is better and larger
+  double quality = 60;  ///< [lowest_quality(), kHighestQuality]; higher is better and larger
   Preset preset = Preset::kMedium;  ///< how long to search
   /// Samples a side for which a reference group has one disparity: 4 or 8, at least block_size, or
   /// open with 0: found by trial.

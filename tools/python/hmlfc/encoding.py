@@ -76,7 +76,7 @@ def encode(
     rig: where the cameras stand: a Rig, or a file as for `hmlfc encode --rig`, which knows the views of an array as
         00_00.png and so on; None: what files and names in the folder of `views` say; False: nothing
     profile: "main" or "extended"
-    quality: [0, 100], from 16 less on for each bit above 8; default: 60
+    quality: [0, 132], from 16 less on for each bit above 8; default: 60
     lossless: keep every sample
     target_psnr: instead of quality the lowest that reaches this PSNR, [1, 100] dB
     target_bpp: instead of quality the highest that takes no more bits a pixel of all views
