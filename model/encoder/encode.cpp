@@ -26,7 +26,7 @@ EncodedStream encode_once(EncodeSession& session, const EncodeParams& params, bo
   return {session.stream(images), images.error, params};
 }
 
-// Likewise; the quality of `params` is where it begins, that of the result has its key images.
+// Meets a PSNR by `trim`, from which the key images of the result have their quality.
 EncodedStream encode_trimmed(EncodeSession& session, EncodeParams params, QualityTrim trim,
                              const Progress& progress) {
   std::optional<CodedImages> images;
@@ -98,6 +98,10 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
       return encode_once(session, tried, false, progress);
     });
   };
+  Encoded found = run_encoder(light_field, lossy, &goal, progress, search);
+  if (!found || params.chroma || found->params.chroma == ChromaFormat::k444) return found;
+  if (!goal.is_least() || goal.is_met(goal.surplus_db(*found, shape))) return found;
+  lossy.chroma = ChromaFormat::k444;  // what halved chroma costs one view is not what it costs all
   return run_encoder(light_field, lossy, &goal, progress, search);
 }
 

@@ -23,7 +23,7 @@ const char* problem_of(const LightFieldShape& shape, const EncodeParams& params)
   checked.chroma = complete.chroma.value_or(ChromaFormat::k420);
   const double quality = params.extended.quality;
   if (!(quality >= lowest_quality(shape.depth) && quality <= kHighestQuality)) {
-    return "the quality is outside [0, 132], or from 16 less on for each bit of a sample above 8";
+    return "the quality is outside [0, 132]; the least is -32 for samples of 10 bits, -64 for 12";
   }
   if (!has_known_extended_choices(params.extended)) return kOutsideInterval;
   if (!header_for(shape, checked)) return kOutsideInterval;

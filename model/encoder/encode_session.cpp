@@ -11,30 +11,11 @@
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
 #include "decoder/key_images.hpp"
+#include "encoder/key_curve.hpp"
 #include "encoder/stream_writer.hpp"
 
 namespace hmlfc {
 namespace {
-
-// Codes a plane of a key image (KEY-2, EXT-6).
-std::vector<uint8_t> code_key_plane(const SamplePlane& samples, SamplePrecision precision,
-                                    double error) {
-  auto coded = error > 0 ? encode_jpeg2000_lossy(samples, precision, error)
-                         : encode_jpeg2000(samples, precision);
-  if (!coded) throw std::bad_alloc();
-  return std::move(*coded);
-}
-
-// Decodes a lossy plane of a key image, as a decoder does.
-void decode_key_plane(const std::vector<uint8_t>& codestream, SampleRange range,
-                      SamplePlane& samples) {
-  auto decoded = decode_jpeg2000(codestream, samples.width, samples.height);
-  if (!decoded) throw std::bad_alloc();
-  samples = std::move(*decoded);
-  for (int16_t& sample : samples.samples) {
-    sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
-  }
-}
 
 // Everything that the levels of one encoding share.
 struct Walk {
@@ -90,6 +71,7 @@ class LevelWalk {
     return !walk_.part.views || owns(*walk_.part.views, walk_.header, images_.level(), at);
   }
 
+  // False: all begins again. `of_references`: squared errors.
   bool encode_trimmed(QualityTrim& trim, std::span<const uint64_t> of_references) {
     if (!trim.go_on(of_references)) return false;
     for (const auto& round : QualityTrim::rounds(geometry_, images_.predictive())) {
@@ -99,7 +81,7 @@ class LevelWalk {
     return true;
   }
 
-  // Returns the squared errors of views, likewise below.
+  // Returns the squared errors of views, 0 for images above them.
   std::vector<uint64_t> encode_predictive(const std::vector<ImagePos>& images) {
     std::vector<uint64_t> squares(images.size());
     parallel_for(images.size(), [&](size_t i) {
@@ -117,7 +99,7 @@ class LevelWalk {
     decisions_->refine_keys(keys_);
   }
 
-  // Codes the i-th of references().
+  // Codes the i-th of references(). Returns its squared errors, likewise.
   uint64_t encode_reference(size_t i) {
     const ImagePos at = images_.references()[i];
     if (!images_.shape().keyed) {
@@ -140,12 +122,25 @@ class LevelWalk {
     const double error = walk_.strategy.key_error(plane);
     const bool known = keys.has(entry);  // by an encoding without loss, or by a part before
     SamplePlane inside = cropped(samples, shape.width, shape.height);
-    std::vector<uint8_t> codestream;
-    if (known && error > 0) codestream = keys.codestream(entry);
-    if (!known) codestream = code_key_plane(inside, precision_of(plane, depth), error);
-    if (error > 0) decode_key_plane(codestream, sample_range(plane, depth), inside);
-    if (!known) keys.set(entry, std::move(codestream), sample_crc(inside));
+    if (!known) {
+      CodedPlane coded = code_key_plane(inside, precision_of(plane, depth), error);
+      inside = clamped(std::move(coded.decoded), plane);
+      keys.set(entry, std::move(coded.codestream), sample_crc(inside));
+    } else if (error > 0) {
+      const auto decoded = decode_jpeg2000(keys.codestream(entry), shape.width, shape.height);
+      if (!decoded) throw std::bad_alloc();
+      inside = clamped(*decoded, plane);
+    }
     samples = in_whole_blocks(inside, shape, geometry_.block_size());
+  }
+
+  // As a decoder does with a lossy plane (EXT-6).
+  SamplePlane clamped(SamplePlane samples, Plane plane) const {
+    const SampleRange range = sample_range(plane, walk_.header.depth);
+    for (int16_t& sample : samples.samples) {
+      sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
+    }
+    return samples;
   }
 
   uint64_t finish(ImagePos at, EncodedImage image) {

@@ -11,9 +11,12 @@ namespace {
 
 // The errors that may be measured: the least, and the number of those that are each the square root
 // of two times the one before, for samples of 8 bits. A bit more has four times the error.
-constexpr double kLeastError = 0.25;
-constexpr int kErrorCount = 21;
+constexpr double kLeastError = 1.0 / 64;
+constexpr int kErrorCount = 29;
+constexpr double kFinestGuess = 12;
 constexpr int kErrorsOfBit = 4;
+// What OpenJPEG may leave of what is asked for; 1 to 1.4 times is usual.
+constexpr double kMostExcess = 4;
 // Errors tried between two of them.
 constexpr int kParts = 8;
 
@@ -44,33 +47,42 @@ KeyCurve::KeyCurve(SamplePlane plane, int steps, SamplePrecision precision, KeyM
                    kErrorsOfBit * (precision.bits - (precision.is_signed ? 1 : 0) - 8)),
       measure_(std::move(measure)) {}
 
-const std::vector<uint8_t>& KeyCurve::coded(int point) const {
-  auto& found = coded_[point];
-  if (!found.empty()) return found;
-  auto coded = encode_jpeg2000_lossy(plane_, precision_, asked_at(point));
-  if (!coded) throw std::bad_alloc();
-  return found = std::move(*coded);
+CodedPlane code_key_plane(const SamplePlane& plane, SamplePrecision precision, double error) {
+  auto codestream = error > 0 ? encode_jpeg2000_lossy(plane, precision, error)
+                              : encode_jpeg2000(plane, precision);
+  if (!codestream) throw std::bad_alloc();
+  if (error == 0) return {std::move(*codestream), plane};
+  auto decoded = decode_jpeg2000(*codestream, plane.width, plane.height);
+  if (!decoded) throw std::bad_alloc();
+  if (mean_squared_error(plane, *decoded) > kMostExcess * error) {
+    return code_key_plane(plane, precision, error > kLeastError ? error / kMostExcess : 0);
+  }
+  return {std::move(*codestream), std::move(*decoded)};
+}
+
+double KeyCurve::bytes(int point) const {
+  const auto found = bytes_.find(point);
+  if (found != bytes_.end()) return found->second;
+  const CodedPlane coded = code_key_plane(plane_, precision_, asked_at(point));
+  return bytes_[point] = static_cast<double>(coded.codestream.size());
 }
 
 const KeyCurve::Measured& KeyCurve::measured(int point) const {
   if (const auto found = measured_.find(point); found != measured_.end()) return found->second;
-  const auto& bytes = coded(point);
-  const auto decoded = decode_jpeg2000(bytes, plane_.width, plane_.height);
-  if (!decoded) throw std::bad_alloc();
-  const double bits =
-      8 * static_cast<double>(bytes.size()) / static_cast<double>(plane_.samples.size());
-  const KeyPoint key{asked_at(point), mean_squared_error(plane_, *decoded), bits, steps_};
-  return measured_[point] = {key, measure_(*decoded)};
+  const CodedPlane coded = code_key_plane(plane_, precision_, asked_at(point));
+  bytes_[point] = static_cast<double>(coded.codestream.size());
+  const double bits = 8 * bytes_[point] / static_cast<double>(plane_.samples.size());
+  const KeyPoint key{asked_at(point), mean_squared_error(plane_, coded.decoded), bits, steps_};
+  return measured_[point] = {key, measure_(coded.decoded)};
 }
 
 double KeyCurve::bits(double asked) const {
   int point = 0;
   while (point + 2 < error_count_ && asked >= asked_at(point + 1)) ++point;
   const double share = std::log2(asked / asked_at(point)) * 2;
-  const auto size = [&](int at) { return static_cast<double>(coded(at).size()); };
-  double bytes = size(point);
-  if (share > 0) bytes += (size(point + 1) - bytes) * std::min(share, 1.0);
-  return 8 * bytes / static_cast<double>(plane_.samples.size());
+  double size = bytes(point);
+  if (share > 0) size += (bytes(point + 1) - size) * std::min(share, 1.0);
+  return 8 * size / static_cast<double>(plane_.samples.size());
 }
 
 KeyCurve::Priced KeyCurve::least(double weight, Lambda lambda) const {
@@ -81,7 +93,7 @@ KeyCurve::Priced KeyCurve::least(double weight, Lambda lambda) const {
   const auto cost_at = [&](int point) { return cost(measured(point).key, measured(point).errors); };
   // From about where a bit costs what it saves, but not from where errors jump to 0.
   const double guess = 2 * std::log2(bit / (2 + 1.6 * weight) / kLeastError);
-  int point = static_cast<int>(std::clamp(std::round(guess), 4.0, error_count_ - 1.0));
+  int point = static_cast<int>(std::clamp(std::round(guess), kFinestGuess, error_count_ - 1.0));
   const auto is_last = [&] {
     const KeyPoint& key = measured(point).key;
     return point + 1 == error_count_ || key.error < key.asked / 8;  // nothing is left to lose

@@ -11,6 +11,16 @@
 
 namespace hmlfc {
 
+/// A plane of a key image as it is coded, and what a decoder makes of it.
+struct CodedPlane {
+  std::vector<uint8_t> codestream;
+  SamplePlane decoded;
+};
+
+/// Codes `plane` with a mean squared error of about `error`, which may be 0; with less where
+/// OpenJPEG would leave far more, as it does of plain planes.
+CodedPlane code_key_plane(const SamplePlane& plane, SamplePrecision precision, double error);
+
 /// A plane of a key image, coded.
 struct KeyPoint {
   double asked = 0;  ///< the mean squared error asked for
@@ -61,7 +71,7 @@ class KeyCurve {
   };
 
   Priced least(double weight, Lambda lambda) const;
-  const std::vector<uint8_t>& coded(int point) const;
+  double bytes(int point) const;
   const Measured& measured(int point) const;
 
   SamplePlane plane_;
@@ -69,8 +79,7 @@ class KeyCurve {
   SamplePrecision precision_;
   int error_count_;
   KeyMeasure measure_;
-  mutable std::map<int, std::vector<uint8_t>>
-      coded_;  // by number of the error, from fine to coarse
+  mutable std::map<int, double> bytes_;  // by number of the error, from fine to coarse
   mutable std::map<int, Measured> measured_;
 };
 

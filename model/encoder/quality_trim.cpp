@@ -98,7 +98,7 @@ void QualityTrim::learn(std::span<const uint64_t> squares) {
 bool QualityTrim::begins_again() {
   const double left =
       static_cast<double>(views_ - coded_) * std::exp(log_error_ - kLogOfQuality * base_);
-  const double all = squares_ + left;
+  const double all = std::max(1.0, squares_ + left);
   const QualitySurplus now{base_, 10 * std::log10(wanted_squares_ / all)};
   const double unsure_db = kDbOfLog * spread_ * left / all;
   const bool ends = coded_ == views_;

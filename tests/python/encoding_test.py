@@ -37,7 +37,8 @@ class EncodingTest(CliTest):
             (["--max-bytes", "2500", "--chroma", "420"], {"max_bytes": 2500, "chroma": "420"}),
             (["--target-bpp", "1.5"], {"target_bpp": 1.5}),
             (["--references", "3x2", "--window", "9"], {"references": (3, 2), "window": 9}),
-            (["--profile", "main", "--quality", "85"], {"profile": "main", "quality": 85}),
+            (["--profile", "main", "--quality", "85", "--rate-distortion"],
+             {"profile": "main", "quality": 85, "rate_distortion": True}),
         ]:
             with self.subTest(options=options):
                 expected = self.program(*arguments)
@@ -136,6 +137,7 @@ time.sleep(0.3)"""
             (pixels, {"depth": 10}, "depth 8"),
             (pixels.astype(np.uint16), {"depth": 13}, r"\[8, 12\]"),
             (pixels, {"profile": "best"}, "'main', 'extended'"),
+            (pixels, {"rate_distortion": True}, "profile 'main'"),
             (pixels, {"quality": 133}, r"quality lies in \[-64, 132\]"),
             (pixels, {"block_size": 5}, "block_size"),
             (pixels, {"tree_height": 16}, "tree_height"),

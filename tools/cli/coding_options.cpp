@@ -103,7 +103,8 @@ void add_coding_options(CLI::App& app, CodingOptions& options) {
               "Find the highest quality with at most B bits per pixel");
   add_integer(app, "--max-bytes", options.max_bytes, 1, uint64_t{1} << 62,
               "Find the highest quality with at most N bytes");
-  app.add_flag("--lossless", options.params.lossless, "Keep every RGB value; implies --chroma 444");
+  app.add_flag("--lossless", options.params.lossless,
+               "Keep every RGB value (of up to 12 bits); implies --chroma 444");
   add_choice(app, "--preset", options.params.extended.preset, kPresets,
              "Extended: how long to search for the best coding")
       ->default_str("medium");

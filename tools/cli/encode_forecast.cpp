@@ -78,7 +78,7 @@ std::string encode_forecast(const LightField& field, const EncodeParams& params,
   if (!encode(part, settled)) return "";
   const double margins = side == 32 ? 1.3 : 1;  // of what a part costs more than as much of a view
   const double second_per_pixel = clock.wall_seconds() / (views * side * side * margins);
-  const double attempts = target ? 1.5 : 1;  // as measured: 1.1 to 1.7
+  const double attempts = target ? 1.5 : 1;  // as measured: 1.1 to 3
   const double seconds = attempts * second_per_pixel * (pixels + trial_pixels(shape, params));
   if (seconds < kSoon) return "";
   return fmt::format("Encoding {} views of {} x {} pixels will take about {}", views, shape.width,

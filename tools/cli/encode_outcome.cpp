@@ -23,7 +23,7 @@ void print_outcome_json(const EncodeOutcome& outcome) {
     json["threshold_ref"] = outcome.params.main.threshold_ref;
     json["threshold_pred"] = outcome.params.main.threshold_pred;
   } else {
-    json["quality"] = outcome.params.extended.quality;
+    if (!outcome.params.lossless) json["quality"] = outcome.params.extended.quality;
     json["preset"] = preset_name(outcome.params.extended.preset);
   }
   print_json(json);
@@ -70,11 +70,11 @@ bool is_on_target(const EncodeOptions& options, const EncodeOutcome& outcome) {
   }
   const uint64_t most = std::get<TargetBytes>(*target).bytes;
   if (outcome.stream.bytes <= most) return true;
-  note(
-      fmt::format("{} bytes were not enough: the smallest stream has {}; encode fewer or smaller "
-                  "views{}",
-                  most, outcome.stream.bytes,
-                  outcome.params.profile == Profile::kMain ? ", or in profile extended" : ""));
+  note(fmt::format(
+      "{} bytes were not enough: the smallest stream found has {}; encode fewer or smaller "
+      "views{}",
+      most, outcome.stream.bytes,
+      outcome.params.profile == Profile::kMain ? ", or in profile extended" : ""));
   return false;
 }
 

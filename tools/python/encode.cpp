@@ -135,6 +135,7 @@ EncodeParams params_of(const Options& given) {
   params.extended.quality = given.get<double>("quality", -64, kHighestQuality).value();
   params.main.threshold_ref = threshold_of_quality(params.extended.quality);
   params.main.threshold_pred = params.main.threshold_ref;
+  params.main.rate_distortion = given.get<bool>("rate_distortion");
   params.lossless = given.get<bool>("lossless");
   params.extended.preset = given.choice<Preset>(
       "preset", {{"fast", Preset::kFast}, {"medium", Preset::kMedium}, {"slow", Preset::kSlow}});

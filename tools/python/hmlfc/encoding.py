@@ -60,6 +60,7 @@ def encode(
     target_bpp: Optional[float] = None,
     max_bytes: Optional[int] = None,
     preset: str = "medium",
+    rate_distortion: bool = False,
     tree_height: Optional[int] = None,
     block_size: int = 4,
     window: Optional[int] = None,
@@ -82,6 +83,7 @@ def encode(
     target_bpp: instead of quality the highest that takes no more bits a pixel of all views
     max_bytes: instead of quality the highest that takes no more bytes
     preset: of profile extended, "fast", "medium" or "slow"
+    rate_distortion: of profile main, decides by squared error and bits
     tree_height: [0, 15]; default: main 3, extended 0
     block_size: 2, 4 or 8
     window: largest component of a vector, [0, 127] samples; default: main 16, extended 64
@@ -102,6 +104,8 @@ def encode(
         raise ValueError(f"{first} and {others[0]} exclude each other")
     if lossless and chroma == "420":
         raise ValueError("lossless needs chroma '444'")
+    if rate_distortion and (profile != "main" or lossless):
+        raise ValueError("rate_distortion is of profile 'main' with loss")
     if rig and profile == "main":
         raise ValueError("a rig needs profile 'extended'")
     is_folder = isinstance(views, (str, bytes, os.PathLike))
@@ -118,7 +122,7 @@ def encode(
         field=field, rig_file=name_of(rig) if is_file else None, rig_text=text_of(rig) if isinstance(rig, Rig) else None,
         rig_of_views=is_folder and rig is None and profile == "extended", profile=profile,
         quality=60 if quality is None else quality, lossless=lossless, target_psnr=target_psnr, target_bpp=target_bpp,
-        max_bytes=max_bytes, preset=preset, tree_height=tree_height, block_size=block_size, window=window,
+        max_bytes=max_bytes, preset=preset, rate_distortion=rate_distortion, tree_height=tree_height, block_size=block_size, window=window,
         references=references, chroma=chroma, threads=threads, progress=progress,
     )  # fmt: skip
     if target_psnr is not None and psnr < target_psnr:
