@@ -26,7 +26,7 @@ constexpr uint32_t kUsualGroup = 5;
 // is not, nothing is looked for with it.
 constexpr int kMaxRounds = 3;
 constexpr double kNextQuality = 2;
-constexpr double kNearQuality = 12;
+constexpr double kNearQuality = 8;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
 
