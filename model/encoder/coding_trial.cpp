@@ -10,7 +10,6 @@
 
 #include "encoder/coding_params.hpp"
 #include "encoder/encode_session.hpp"
-#include "encoder/motion_prediction.hpp"
 #include "encoder/plane_targets.hpp"
 #include "encoder/view_planes.hpp"
 

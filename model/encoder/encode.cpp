@@ -3,7 +3,6 @@
 
 #include <new>
 #include <optional>
-#include <utility>
 
 #include "bits/parallel.hpp"
 #include "encoder/cached_views.hpp"
