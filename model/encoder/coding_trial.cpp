@@ -1,9 +1,6 @@
 #include "encoder/coding_trial.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <iterator>
 #include <limits>
 #include <mutex>
 #include <vector>
@@ -20,46 +17,24 @@ namespace {
 constexpr double kRecordBits = 10;
 constexpr double kTileBits = 2;
 
-// Places among images alike follow each other at the golden section of their number.
-constexpr ptrdiff_t kGolden = 55;
-constexpr ptrdiff_t kGoldenWhole = 89;
-
-// An image, and how far its references are.
-struct Displaced {
-  int32_t distance;
-  ImagePos at;
-};
-
 // At most `count` predictive images of the last two rows and columns of groups, which are no
-// smaller than others (EXT-3), as far from their references as images of the whole grid are.
-std::vector<ImagePos> spread_images(const Geometry& geometry, size_t count) {
+// smaller than others (EXT-3), near to their references and far from them.
+std::vector<ImagePos> sampled_images(const Geometry& geometry, size_t count) {
   const LevelShape& level = geometry.level(0);
-  std::vector<Displaced> all;
+  std::vector<ImagePos> last;
   for (uint32_t r = 0; r < level.rows; ++r) {
     for (uint32_t c = 0; c < level.cols; ++c) {
-      if (geometry.is_reference(0, {r, c})) continue;
-      all.push_back({distance_from_references(geometry, {r, c}), {r, c}});
+      const ImagePos group = geometry.group_of(0, {r, c});
+      const bool among = group.row + 2 >= level.group_rows() && group.col + 2 >= level.group_cols();
+      if (among && !geometry.is_reference(0, {r, c})) last.push_back({r, c});
     }
   }
-  std::ranges::stable_sort(all, {}, &Displaced::distance);
-  std::vector<Displaced> last;
-  std::ranges::copy_if(all, std::back_inserter(last), [&](const Displaced& image) {
-    const ImagePos group = geometry.group_of(0, image.at);
-    return group.row + 2 >= level.group_rows() && group.col + 2 >= level.group_cols();
-  });
+  const auto distance = [&](ImagePos at) { return distance_from_references(geometry, at); };
+  std::ranges::stable_sort(last, {}, distance);
+  count = std::min(count, last.size());
   std::vector<ImagePos> images;
-  for (const Displaced& wanted : evenly_spread(all, count)) {
-    if (last.empty()) break;
-    const auto apart = [&](const Displaced& image) {
-      return std::abs(image.distance - wanted.distance);
-    };
-    const int32_t nearest = std::ranges::min_element(last, {}, apart)->distance;
-    const auto alike = std::ranges::equal_range(last, nearest, {}, &Displaced::distance);
-    const auto turn = std::ssize(images) * kGolden % kGoldenWhole;
-    const auto chosen = alike.begin() + std::ssize(alike) * turn / kGoldenWhole;
-    images.push_back(chosen->at);
-    last.erase(chosen);
-  }
+  for (size_t i = 0; i < count; ++i)
+    images.push_back(last[(2 * i + 1) * last.size() / (2 * count)]);
   return images;
 }
 
@@ -88,7 +63,7 @@ class Trial {
         header_(header),
         geometry_(header),
         session_(part, header, probe),
-        sample_(sampled_part(geometry_, spread_images(geometry_, images))) {
+        sample_(sampled_part(geometry_, sampled_images(geometry_, images))) {
     EncodeObserver observer;
     observer.reconstructed = [&](int level, ImagePos at, const ImagePlanes& planes) {
       if (level > 0) return;
@@ -163,8 +138,8 @@ double key_image_bits(const StreamHeader& header, const EncodeParams& params,
   for (const Plane plane : kPlanes) {
     const auto p = static_cast<size_t>(plane);
     const PlaneShape& shape = geometry.plane(plane);
-    bits +=
-        targets[p].key.bits * probe.key_bits[p] * static_cast<double>(shape.width) * shape.height;
+    const double of_sample = (params.lossless ? 1 : targets[p].key.bits) * probe.key_bits[p];
+    bits += of_sample * static_cast<double>(shape.width) * shape.height;
   }
   return bits;
 }

@@ -232,6 +232,29 @@ std::vector<ImagePos> members_of(const Geometry& geometry, int level, ImagePos r
   return members;
 }
 
+std::vector<ImagePos> spread_images(std::vector<ImagePos> images, size_t count) {
+  if (images.size() <= count) return images;
+  const uint32_t row0 = images.front().row;
+  const uint32_t rows = images.back().row - row0 + 1;
+  const auto [least, most] = std::ranges::minmax_element(images, {}, &ImagePos::col);
+  const uint32_t col0 = least->col;
+  const uint32_t cols = most->col - col0 + 1;
+  // Rows in order, columns at multiples of the golden section, 55 to 89.
+  std::vector<ImagePos> some;
+  for (size_t i = 0; i < count; ++i) {
+    const size_t middle = 2 * i + 1;
+    const auto row = static_cast<int32_t>(row0 + middle * rows / (2 * count));
+    const auto col = static_cast<int32_t>(col0 + middle * 55 % 178 * cols / 178);
+    const auto nearest = std::ranges::min_element(images, {}, [&](ImagePos at) {
+      return std::abs(static_cast<int32_t>(at.row) - row) +
+             std::abs(static_cast<int32_t>(at.col) - col);
+    });
+    some.push_back(*nearest);
+    images.erase(nearest);
+  }
+  return some;
+}
+
 int32_t distance_from_references(const Geometry& geometry, ImagePos at) {
   const auto views_apart = [&](ImagePos reference) {
     return std::abs(row_offset(reference, at)) + std::abs(col_offset(reference, at));

@@ -56,6 +56,9 @@ EncodePart part_of_views(const StreamHeader& header, const Geometry& geometry,
 /// All predictive images of the group of `reference`, row by row.
 std::vector<ImagePos> members_of(const Geometry& geometry, int level, ImagePos reference);
 
+/// At most `count` > 0 of `images`, which lie row by row in a rectangle, evenly spread over it.
+std::vector<ImagePos> spread_images(std::vector<ImagePos> images, size_t count);
+
 /// How far predictive view `at` is from its first two references, of which the first counts most.
 int32_t distance_from_references(const Geometry& geometry, ImagePos at);
 

@@ -124,7 +124,7 @@ class ExtendedLevel final : public LevelDecisions {
     DisparitySearch search = disparity_search(header_);
     search.images = members.size();
     std::vector<SamplePlane> planes;
-    for (const ImagePos at : evenly_spread(members, settings_.effort.disparity_images)) {
+    for (const ImagePos at : spread_images(members, settings_.effort.disparity_images)) {
       planes.push_back(motion_target(at, images_.original(at)[0]));
       search.targets.push_back(search_target(at));
     }
@@ -137,7 +137,7 @@ class ExtendedLevel final : public LevelDecisions {
   void refine(ImagePos reference, ImagePlanes& key) {
     const std::vector<ImagePos> members = images_.members(reference);
     std::vector<RefinementTarget> targets;
-    for (const ImagePos at : evenly_spread(members, settings_.effort.disparity_images)) {
+    for (const ImagePos at : spread_images(members, settings_.effort.disparity_images)) {
       targets.push_back({images_.original(at), at, {}, {}});
       if (!header_.has(Feature::kTwoReferences)) continue;
       const ImagePos other = reference_images(geometry_, images_.level(), at)[1];

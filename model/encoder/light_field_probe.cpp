@@ -209,19 +209,28 @@ LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader&
                                   const ViewProvider& part) {
   LightFieldProbe found;
   if (header.has(Feature::kSharedDisparity)) probe_disparities(views, header, found);
-  if (!header.has(Feature::kLossyKeys)) return found;
-  StreamHeader of_part = header;
-  of_part.width = part.shape().width;
-  of_part.height = part.shape().height;
-  of_part.row_scale = found.row_scale;
-  found.keys = std::make_shared<KeyProbe>(part, of_part, found.disparities)->curves();
+  const bool lossy = header.has(Feature::kLossyKeys);
+  if (lossy) {
+    StreamHeader of_part = header;
+    of_part.width = part.shape().width;
+    of_part.height = part.shape().height;
+    of_part.row_scale = found.row_scale;
+    found.keys = std::make_shared<KeyProbe>(part, of_part, found.disparities)->curves();
+  }
   const Geometry geometry(header);
   const ImagePlanes whole = view_planes(views, geometry, middle_of(views.shape()));
   parallel_for(kPlaneCount, [&](size_t p) {
     const PlaneShape& shape = geometry.plane(kPlanes[p]);
-    const KeyCurve curve(cropped(whole[p], shape.width, shape.height), 0,
-                         precision_of(kPlanes[p], header.depth), {});
-    found.key_bits[p] = curve.bits(kUsualError) / found.keys[p].front().bits(kUsualError);
+    const SamplePlane inside = cropped(whole[p], shape.width, shape.height);
+    const SamplePrecision precision = precision_of(kPlanes[p], header.depth);
+    if (lossy) {
+      found.key_bits[p] = KeyCurve(inside, 0, precision, {}).bits(kUsualError) /
+                          found.keys[p].front().bits(kUsualError);
+    } else {
+      const CodedPlane coded = code_key_plane(inside, precision, 0);
+      found.key_bits[p] = 8 * static_cast<double>(coded.codestream.size()) /
+                          static_cast<double>(inside.samples.size());
+    }
   });
   return found;
 }

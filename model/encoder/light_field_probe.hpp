@@ -19,7 +19,8 @@ struct LightFieldProbe {
   /// Of the view in the middle: as it is, then refined for those around it, if there are any. Empty
   /// without lossy_keys. They measure what they are asked for, and share about nine views.
   std::array<std::vector<KeyCurve>, kPlaneCount> keys;
-  /// The bits of a sample in whole views, as multiples of those that `keys` state.
+  /// The bits of a sample in whole views, as multiples of those that `keys` state; lossless without
+  /// lossy_keys.
   std::array<double, kPlaneCount> key_bits{};
 };
 

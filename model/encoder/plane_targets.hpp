@@ -22,21 +22,10 @@ using PlaneTargets = std::array<PlaneTarget, kPlaneCount>;
 /// How much is tried.
 struct SearchEffort {
   unsigned choices = 5;          ///< of MotionTask
-  size_t disparity_images = 12;  ///< of a group, on which its disparities are tried
+  size_t disparity_images = 12;  ///< of a group, for its disparities and its key image
   size_t vectors = 8;            ///< of MotionTask
 };
 SearchEffort effort_of(Preset preset);
-
-/// At most `count` > 0 of `all`, evenly spread over their order.
-template <typename T>
-std::vector<T> evenly_spread(const std::vector<T>& all, size_t count) {
-  if (all.size() <= count) return all;
-  std::vector<T> some;
-  for (size_t i = 0; i < count; ++i) {
-    some.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
-  }
-  return some;
-}
 
 /// Squared error of a sample of Y that is worth one bit: 1 at quality 100, doubled for every 8
 /// below; quality in [-64, 132].

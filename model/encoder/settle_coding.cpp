@@ -29,6 +29,9 @@ constexpr double kNextQuality = 2;
 constexpr double kNearQuality = 8;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
+// Where each view is its own key image, there is no geometry, and no block decodes without the rest
+// of its view.
+constexpr double kMattersMuch = 0.1;
 
 // Images that a trial codes.
 size_t trial_images(Preset preset) {
@@ -106,7 +109,8 @@ class CodingSearch {
   bool attempt(const EncodeParams& params) {
     const TrialResult result = trial(params);
     const double cost = result.cost(lambda_);
-    if (!(cost < least_ * (1 - kMatters))) return false;
+    const bool all_keys = params.ref_rows == 1 && params.ref_cols == 1;
+    if (!(cost < least_ * (1 - (all_keys ? kMattersMuch : kMatters)))) return false;
     least_ = cost;
     best_ = params;
     best_result_ = result;
@@ -225,9 +229,7 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   if (!header || params.profile == Profile::kMain) return settled;
   const CachedViews part(views, trial_part(views, *header), cache_bytes);
   settled.probe = probe_light_field(views, *header, part);
-  if (params.lossless || !header->has(Feature::kMotionTiles) || header->tree_height > 0) {
-    return settled;
-  }
+  if (!header->has(Feature::kMotionTiles) || header->tree_height > 0) return settled;
   const bool open_grid = params.extended.disparity_grid == 0 || params.extended.motion_tile == 0;
   if (!open_groups && goal == nullptr && !(open_grid && tries_grids(params))) {
     return settled;

@@ -3,6 +3,7 @@
 #include "encoder/coding_trial.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -17,31 +18,27 @@ namespace {
 
 constexpr LightFieldShape kTrialShape{6, 6, 112, 96, 8};
 
-EncodeParams settled_params(const LightField& field) {
-  return settle_coding(FieldViews(field), with_defaults({})).params;
-}
-
-// The part of `views` on which `params` are tried.
-CachedViews part_of(const ViewProvider& views, const EncodeParams& params) {
-  const Rect part = trial_part(views, *header_for(views.shape(), params));
-  return {views, part, CachedViews::kUnlimited};
-}
-
-TrialResult trial_of(const LightField& field, const SettledCoding& settled, size_t images) {
-  const FieldViews views(field);
-  return try_coding(views.shape(), part_of(views, settled.params), settled.params, settled.probe,
-                    images);
+SettledCoding settled(const LightField& field, bool lossless) {
+  EncodeParams params;
+  params.lossless = lossless;
+  return settle_coding(FieldViews(field), with_defaults(params));
 }
 
 TEST(CodingTrial, IsNearTheWholeEncoding) {
   const LightField field = test::textured_light_field(kTrialShape, 3, 6);
-  const SettledCoding settled = settle_coding(FieldViews(field), with_defaults({}));
-  const TrialResult trial = trial_of(field, settled, 100);
-  const auto encoded = encode(field, settled.params);
-  ASSERT_TRUE(encoded.has_value());
-  const double bits = 8 * static_cast<double>(encoded->bytes.size());
-  EXPECT_NEAR(trial.bits / bits, 1, 0.15);
-  EXPECT_NEAR(trial.rgb_squares / static_cast<double>(encoded->error.rgb_squares), 1, 0.15);
+  for (const bool lossless : {false, true}) {
+    const SettledCoding coding = settled(field, lossless);
+    const FieldViews views(field);
+    const Rect part = trial_part(views, *header_for(kTrialShape, coding.params));
+    const CachedViews tried(views, part, CachedViews::kUnlimited);
+    const TrialResult trial = try_coding(kTrialShape, tried, coding.params, coding.probe, 100);
+    const auto encoded = encode(field, coding.params);
+    ASSERT_TRUE(encoded.has_value());
+    const double bits = 8 * static_cast<double>(encoded->bytes.size());
+    EXPECT_NEAR(trial.bits / bits, 1, 0.15);
+    const auto squares = static_cast<double>(encoded->error.rgb_squares);
+    EXPECT_NEAR(trial.rgb_squares, squares, 0.15 * squares);
+  }
 }
 
 // Waves whose direction and length depend on `seed`: easy to code, hard to predict from others.
@@ -68,12 +65,12 @@ TEST(CodingTrial, GroupsFollowTheViews) {
       unlike.set_view(row, col, waves(row * kTrialShape.cols + col));
     }
   }
-  const EncodeParams one = settled_params(alike);
-  EXPECT_EQ(one.ref_rows, 6u);
-  EXPECT_EQ(one.ref_cols, 6u);
-  const EncodeParams many = settled_params(unlike);
-  EXPECT_EQ(many.ref_rows, 1u);
-  EXPECT_EQ(many.ref_cols, 1u);
+  for (const bool lossless : {false, true}) {
+    const EncodeParams one = settled(alike, lossless).params;
+    EXPECT_EQ(std::pair(one.ref_rows, one.ref_cols), std::pair(6u, 6u));
+    const EncodeParams many = settled(unlike, lossless).params;
+    EXPECT_EQ(std::pair(many.ref_rows, many.ref_cols), std::pair(1u, 1u));
+  }
 }
 
 TEST(KeyCurve, ErrorsGrowWithLambdaAndFallWithWeight) {

@@ -21,7 +21,7 @@ constexpr double kSoon = 10;           // seconds
 // Pixels that trials code: of a preset's images a part of 384 x 256 pixels, with what they refer
 // to.
 double trial_pixels(const LightFieldShape& shape, const EncodeParams& params) {
-  if (params.profile == Profile::kMain || params.lossless) return 0;
+  if (params.profile == Profile::kMain) return 0;
   const double part = std::min(shape.width, 384u) * std::min(shape.height, 256u);
   const Preset preset = params.extended.preset;
   const double images = preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 16 : 32;
