@@ -79,8 +79,8 @@ inline hn::Vec<D> down(D lanes, const Taps& taps, hn::Vec<D> above, hn::Vec<D> h
 
 // The lanes of D from column x on.
 template <unsigned kReferences, class D>
-void put_columns(D lanes, const std::array<DisplacedReference, 2>& references,
-                 const PredictionTarget& target, unsigned x) {
+HWY_INLINE void put_columns(D lanes, const std::array<DisplacedReference, 2>& references,
+                            const PredictionTarget& target, unsigned x) {
   Taps first(references[0], x);
   Taps second(references[kReferences - 1], x);
   const hn::Vec<D> half = hn::Set(lanes, 32 * kReferences);
@@ -102,11 +102,15 @@ void put_columns(D lanes, const std::array<DisplacedReference, 2>& references,
   }
 }
 
+// Wider vectors gain nothing: most pieces are 4, 8 or 16 samples wide.
+template <class Sum>
+constexpr unsigned kMostLanes = HWY_LANES(Sum) < 16 ? HWY_LANES(Sum) : 16;
+
 // Columns [x, columns): kLanes at a time, and what is left half as many at a time. Sum holds all
 // sums.
-template <class Sum, unsigned kReferences, unsigned kLanes = HWY_LANES(Sum)>
-void interpolate(const std::array<DisplacedReference, 2>& references,
-                 const PredictionTarget& target, unsigned x = 0) {
+template <class Sum, unsigned kReferences, unsigned kLanes = kMostLanes<Sum>>
+HWY_INLINE void interpolate(const std::array<DisplacedReference, 2>& references,
+                            const PredictionTarget& target, unsigned x = 0) {
   for (; x + kLanes <= target.columns; x += kLanes) {
     put_columns<kReferences>(hn::FixedTag<Sum, kLanes>(), references, target, x);
   }
