@@ -30,7 +30,18 @@ void write_pixel(const ColourRow& row, size_t x, typename Store::Sample* out) {
   if (Store::kSamples == 4) out[Store::kSamples - 1] = 0;
 }
 
+void read_pixel(const uint16_t* rgb, size_t x, int16_t* y, int16_t* co, int16_t* cg) {
+  const YCoCg colour = forward_colour({rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]});
+  y[x] = static_cast<int16_t>(colour.y);
+  co[x] = static_cast<int16_t>(colour.co);
+  cg[x] = static_cast<int16_t>(colour.cg);
+}
+
 #if HWY_TARGET == HWY_SCALAR
+
+void read_rgb_here(const uint16_t* rgb, size_t pixels, int16_t* y, int16_t* co, int16_t* cg) {
+  for (size_t x = 0; x < pixels; ++x) read_pixel(rgb, x, y, co, cg);
+}
 
 using StoreRgb = Layout<uint16_t, 3>;
 using StoreRgbx16 = Layout<uint16_t, 4>;
@@ -61,6 +72,24 @@ inline Pixels inverse_colour_lanes(Vector y, Vector co, Vector cg, Vector peak) 
   const Vector t = hn::Sub(y, hn::ShiftRight<1>(cg));
   const Vector b = hn::Sub(t, hn::ShiftRight<1>(co));
   return {clamped(hn::Add(b, co)), clamped(hn::Add(cg, t)), clamped(b)};
+}
+
+// COL-1.
+void read_rgb_here(const uint16_t* rgb, size_t pixels, int16_t* y, int16_t* co, int16_t* cg) {
+  const Lanes lanes;
+  const hn::RebindToUnsigned<Lanes> words;
+  size_t x = 0;
+  for (; x + kLanes <= pixels; x += kLanes) {
+    hn::Vec<decltype(words)> r, g, b;
+    hn::LoadInterleaved3(words, rgb + 3 * x, r, g, b);
+    const Vector orange = hn::BitCast(lanes, hn::Sub(r, b));
+    const Vector t = hn::Add(hn::BitCast(lanes, b), hn::ShiftRight<1>(orange));
+    const Vector green = hn::Sub(hn::BitCast(lanes, g), t);
+    hn::StoreU(hn::Add(t, hn::ShiftRight<1>(green)), lanes, y + x);
+    hn::StoreU(orange, lanes, co + x);
+    hn::StoreU(green, lanes, cg + x);
+  }
+  for (; x < pixels; ++x) read_pixel(rgb, x, y, co, cg);
 }
 
 struct StoreRgb : Layout<uint16_t, 3> {
@@ -125,9 +154,14 @@ HWY_AFTER_NAMESPACE();
 
 namespace hmlfc {
 
+HWY_EXPORT(read_rgb_here);
 HWY_EXPORT(write_rgb_here);
 HWY_EXPORT(write_rgbx8_here);
 HWY_EXPORT(write_rgbx16_here);
+
+void read_rgb(const uint16_t* rgb, size_t pixels, int16_t* y, int16_t* co, int16_t* cg) {
+  HWY_DYNAMIC_DISPATCH(read_rgb_here)(rgb, pixels, y, co, cg);
+}
 
 void write_rgb(const ColourRow& row, uint16_t* out) {
   HWY_DYNAMIC_DISPATCH(write_rgb_here)(row, out);

@@ -1,4 +1,5 @@
-// Samples to pixels (COL-2, COL-3), with vectors of the instruction set chosen at run time.
+// Samples to pixels (COL-2, COL-3) and back (COL-1), with vectors of the instruction set chosen at
+// run time.
 #pragma once
 
 #include <array>
@@ -30,6 +31,9 @@ void write_rgbx(const ColourRow& row, uint8_t* out);
 
 /// R, G, B and 0 of each pixel.
 void write_rgbx(const ColourRow& row, uint16_t* out);
+
+/// Y, Co and Cg of `pixels` times R, G and B, each in [0, 4095].
+void read_rgb(const uint16_t* rgb, size_t pixels, int16_t* y, int16_t* co, int16_t* cg);
 
 /// The samples of Co and Cg that the pixels of `rect` take (COL-3); `rect` itself where they are
 /// not `halved`.

@@ -1,20 +1,17 @@
 #include <hmlfc/measure.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "arithmetic/colour.hpp"
+#include "decoder/colour_row.hpp"
 
 namespace hmlfc {
 namespace {
 
-// Samples of whole pixels whose squares add up in 32 bits: 255 * 4095^2 < 2^32.
-constexpr size_t kRun = 255;
-
-uint32_t square(int32_t difference) { return static_cast<uint32_t>(difference * difference); }
-
-int32_t luma(const uint16_t* pixel) { return forward_colour({pixel[0], pixel[1], pixel[2]}).y; }
+// Pixels whose squares add up in 31 bits: 3 * 42 * 4095^2 < 2^31.
+constexpr size_t kRun = 42;
 
 }  // namespace
 
@@ -26,22 +23,31 @@ void ErrorSums::add(const ErrorSums& other) {
 
 ErrorSums measure(const RgbImage& a, const RgbImage& b) {
   ErrorSums sums;
-  for (size_t from = 0; from < a.samples.size(); from += kRun) {
-    const size_t to = std::min(from + kRun, a.samples.size());
-    uint32_t rgb_squares = 0;
-    uint32_t y_squares = 0;
-    int32_t max_abs = 0;
-    for (size_t i = from; i < to; ++i) {
-      const int32_t difference = int32_t{a.samples[i]} - b.samples[i];
-      rgb_squares += square(difference);
-      max_abs = std::max(max_abs, std::abs(difference));
+  std::array<int16_t, kRun> y0, y1, co, cg;
+  for (size_t from = 0; from < a.samples.size(); from += 3 * kRun) {
+    const size_t pixels = std::min(kRun, (a.samples.size() - from) / 3);
+    const uint16_t* rgb0 = &a.samples[from];
+    const uint16_t* rgb1 = &b.samples[from];
+    read_rgb(rgb0, pixels, y0.data(), co.data(), cg.data());
+    read_rgb(rgb1, pixels, y1.data(), co.data(), cg.data());
+    int32_t rgb_squares = 0;
+    int32_t y_squares = 0;
+    int16_t least = 0;
+    int16_t most = 0;
+    for (size_t i = 0; i < 3 * pixels; ++i) {
+      const auto difference = static_cast<int16_t>(rgb0[i] - rgb1[i]);
+      rgb_squares += difference * difference;
+      least = std::min(least, difference);
+      most = std::max(most, difference);
     }
-    for (size_t i = from; i < to; i += 3) {
-      y_squares += square(luma(&a.samples[i]) - luma(&b.samples[i]));
+    for (size_t i = 0; i < pixels; ++i) {
+      const auto difference = static_cast<int16_t>(y0[i] - y1[i]);
+      y_squares += difference * difference;
     }
-    sums.rgb_squares += rgb_squares;
-    sums.y_squares += y_squares;
-    sums.max_abs = std::max(sums.max_abs, static_cast<uint32_t>(max_abs));
+    sums.rgb_squares += static_cast<uint32_t>(rgb_squares);
+    sums.y_squares += static_cast<uint32_t>(y_squares);
+    sums.max_abs =
+        std::max({sums.max_abs, static_cast<uint32_t>(most), static_cast<uint32_t>(-least)});
   }
   return sums;
 }

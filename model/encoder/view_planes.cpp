@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "arithmetic/colour.hpp"
 #include "arithmetic/rounding.hpp"
 #include "decoder/colour_row.hpp"
 
@@ -25,20 +24,6 @@ SamplePlane halved(const SamplePlane& full) {
   return half;
 }
 
-ImagePlanes full_planes(const RgbImage& view) {
-  ImagePlanes planes;
-  for (SamplePlane& plane : planes) plane = SamplePlane(view.width, view.height);
-  auto& [luma, orange, green] = planes;
-  for (size_t k = 0; k < luma.samples.size(); ++k) {
-    const uint16_t* pixel = view.samples.data() + 3 * k;
-    const YCoCg colour = forward_colour({pixel[0], pixel[1], pixel[2]});
-    luma.samples[k] = static_cast<int16_t>(colour.y);
-    orange.samples[k] = static_cast<int16_t>(colour.co);
-    green.samples[k] = static_cast<int16_t>(colour.cg);
-  }
-  return planes;
-}
-
 // Repeats the nearest sample inside width x height over the rest of `plane`.
 void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height) {
   for (uint32_t y = 0; y < height; ++y) {
@@ -52,7 +37,12 @@ void extend_borders(SamplePlane& plane, uint32_t width, uint32_t height) {
 }  // namespace
 
 ImagePlanes view_planes(const ViewProvider& views, const Geometry& geometry, ImagePos at) {
-  ImagePlanes planes = full_planes(views.view({at.row, at.col}));
+  const RgbImage view = views.view({at.row, at.col});
+  ImagePlanes planes;
+  for (SamplePlane& plane : planes) plane = SamplePlane(view.width, view.height);
+  auto& [luma, orange, green] = planes;
+  read_rgb(view.samples.data(), luma.samples.size(), luma.samples.data(), orange.samples.data(),
+           green.samples.data());
   for (const Plane p : kPlanes) {
     SamplePlane& plane = planes[static_cast<size_t>(p)];
     const PlaneShape& shape = geometry.plane(p);

@@ -1,4 +1,4 @@
-// Rows of pixels on every instruction set against COL-2 on each.
+// Rows of pixels on every instruction set against COL-1 and COL-2 on each.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -52,7 +52,20 @@ void check_row(std::mt19937& random, size_t pixels, bool halved, int depth) {
   EXPECT_EQ(rgbx8.back(), kUntouched);
 }
 
-TEST(ColourRow, EqualsTheInverseTransform) {
+void check_samples(std::mt19937& random, size_t pixels, int depth) {
+  std::vector<uint16_t> rgb(3 * pixels);
+  for (uint16_t& sample : rgb) sample = static_cast<uint16_t>(random() % (1u << depth));
+  constexpr int16_t kUntouched = -12345;
+  std::vector<int16_t> y(pixels + 1, kUntouched), co(y), cg(y);
+  read_rgb(rgb.data(), pixels, y.data(), co.data(), cg.data());
+  for (size_t i = 0; i < pixels; ++i) {
+    const YCoCg expected = forward_colour({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]});
+    ASSERT_EQ((YCoCg{y[i], co[i], cg[i]}), expected);
+  }
+  EXPECT_TRUE(y.back() == kUntouched && co.back() == kUntouched && cg.back() == kUntouched);
+}
+
+TEST(ColourRow, EqualsTheTransforms) {
   for (const int64_t target : test::instruction_sets()) {
     const test::ChosenInstructionSet chosen(target);
     std::mt19937 random(1);
@@ -60,6 +73,7 @@ TEST(ColourRow, EqualsTheInverseTransform) {
       for (size_t pixels = 1; pixels < 70; ++pixels) {
         check_row(random, pixels, false, depth);
         check_row(random, pixels, true, depth);
+        check_samples(random, pixels, depth);
       }
     }
   }
