@@ -1,8 +1,12 @@
 #include "encoder/coding_trial.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "encoder/coding_params.hpp"
@@ -12,6 +16,92 @@
 
 namespace hmlfc {
 namespace {
+
+constexpr uint32_t kTrialWidth = 384;
+constexpr uint32_t kTrialHeight = 256;
+
+// How much there is to code in each cell of 16x16 pixels of a view: log2 of its variance, row by
+// row.
+class Activity {
+ public:
+  explicit Activity(const SamplePlane& luma)
+      : columns_(luma.width / kCell), rows_(luma.height / kCell) {
+    for (uint32_t y = 0; y < rows_; ++y) {
+      for (uint32_t x = 0; x < columns_; ++x) cells_.push_back(of_cell(luma, x, y));
+    }
+    whole_ = shares(0, 0, columns_, rows_);
+  }
+
+  static constexpr uint32_t kCell = 16;
+  uint32_t columns() const { return columns_; }
+  uint32_t rows() const { return rows_; }
+
+  // How far `columns` x `rows` cells from (x, y) on differ from the whole.
+  double difference(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
+    const Shares part = shares(x, y, columns, rows);
+    double sum = 0;
+    for (size_t i = 0; i < part.size(); ++i) sum += std::abs(part[i] - whole_[i]);
+    return sum;
+  }
+
+ private:
+  static int of_cell(const SamplePlane& luma, uint32_t x, uint32_t y) {
+    int64_t sum = 0;
+    int64_t squares = 0;
+    for (uint32_t j = 0; j < kCell; ++j) {
+      for (uint32_t i = 0; i < kCell; ++i) {
+        const int64_t sample = luma.at(x * kCell + i, y * kCell + j);
+        sum += sample;
+        squares += sample * sample;
+      }
+    }
+    constexpr int64_t kSamples = int64_t{kCell} * kCell;
+    return static_cast<int>(
+        std::bit_width(static_cast<uint64_t>((squares - sum * sum / kSamples) / kSamples)));
+  }
+
+  // Of cells with an activity of more than 0, 1 and so on.
+  using Shares = std::array<double, 13>;
+
+  Shares shares(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
+    std::array<uint32_t, std::tuple_size_v<Shares> + 1> counts{};
+    for (uint32_t j = y; j < y + rows; ++j) {
+      for (uint32_t i = x; i < x + columns; ++i) {
+        ++counts[std::min(static_cast<size_t>(cells_[j * columns_ + i]), counts.size() - 1)];
+      }
+    }
+    Shares shares{};
+    uint32_t above = 0;
+    for (size_t i = shares.size(); i-- > 0;) {
+      above += counts[i + 1];
+      shares[i] = static_cast<double>(above) / (static_cast<double>(columns) * rows);
+    }
+    return shares;
+  }
+
+  uint32_t columns_;
+  uint32_t rows_;
+  std::vector<int> cells_;
+  Shares whole_{};
+};
+
+// The place of a part of `shape`'s size that is most like the whole of `luma`.
+std::pair<uint32_t, uint32_t> typical_place(const SamplePlane& luma, const LightFieldShape& shape) {
+  const Activity activity(luma);
+  const uint32_t columns = std::max(1u, shape.width / Activity::kCell);
+  const uint32_t rows = std::max(1u, shape.height / Activity::kCell);
+  std::pair<uint32_t, uint32_t> best{0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (uint32_t y = 0; y + rows <= activity.rows(); ++y) {
+    for (uint32_t x = 0; x + columns <= activity.columns(); ++x) {
+      const double difference = activity.difference(x, y, columns, rows);
+      if (difference >= least) continue;
+      least = difference;
+      best = {x * Activity::kCell, y * Activity::kCell};
+    }
+  }
+  return best;
+}
 
 // Bits of the index for a record, and for a tile with or without one.
 constexpr double kRecordBits = 10;
@@ -38,22 +128,10 @@ std::vector<ImagePos> sampled_images(const Geometry& geometry, size_t count) {
   return images;
 }
 
-// Sums over the images that a trial codes.
-struct Share {
-  TrialResult sum;
-  double images = 0;
-
-  void add_bits(double bits) {
-    sum.bits += bits;
-    ++images;
-  }
-
-  // The sums that `all` images would have.
-  TrialResult of_all(double all) const {
-    if (images == 0) return {};
-    return {sum.rgb_squares / images * all, sum.bits / images * all};
-  }
-};
+// The sum that `all` have, if `some` of them have `sum`.
+double extrapolated(double sum, double some, double all) {
+  return some == 0 ? 0 : sum / some * all;
+}
 
 class Trial {
  public:
@@ -71,7 +149,7 @@ class Trial {
       const ErrorSums error = view_error(part_, at, planes, header_.chroma_format);
       const std::scoped_lock lock(mutex_);
       (key ? key_error_ : error_).add(error);  // integers: threads may add in any order
-      ++(key ? keys_ : predictive_).images;
+      ++(key ? keys_ : predicted_);
     };
     coded_ = session_.no_images();
     session_.encode_part(params, sample_, observer, coded_);
@@ -81,14 +159,24 @@ class Trial {
   TrialResult result(double scale, double key_bits) {
     const auto images = static_cast<double>(geometry_.level(0).images());
     const auto groups = static_cast<double>(geometry_.key_count());
-    Share disparities;
-    add_bits(disparities);
-    predictive_.sum.rgb_squares = static_cast<double>(error_.rgb_squares);
-    keys_.sum.rgb_squares = static_cast<double>(key_error_.rgb_squares);
-    const TrialResult predicted = predictive_.of_all(images - groups);
-    const TrialResult shared = disparities.of_all(groups);
-    return {(predicted.rgb_squares + keys_.of_all(groups).rgb_squares) * scale,
-            (predicted.bits + shared.bits) * scale + groups * key_bits};
+    double bits = 0;
+    double disparities = 0;
+    double described = 0;  // groups with disparities
+    for_each_coded([&](ImagePos at, const ImageCode& image) {
+      if (!geometry_.is_reference(0, at)) {
+        for (const PlaneCode& plane : image) bits += bits_of(plane);
+      } else if (!image[kMotionPlane].record_sizes.empty()) {
+        disparities += bits_of(image[kMotionPlane]);
+        ++described;
+      }
+    });
+    const auto squares = static_cast<double>(error_.rgb_squares);
+    const auto key_squares = static_cast<double>(key_error_.rgb_squares);
+    return {scale * (extrapolated(squares, predicted_, images - groups) +
+                     extrapolated(key_squares, keys_, groups)),
+            scale * (extrapolated(bits, predicted_, images - groups) +
+                     extrapolated(disparities, described, groups)) +
+                groups * key_bits};
   }
 
  private:
@@ -100,18 +188,13 @@ class Trial {
     return bits + kTileBits * static_cast<double>(code.record_sizes.size());
   }
 
-  void add_bits(Share& disparities) {
+  // Calls body(image, its records).
+  template <typename Body>
+  void for_each_coded(const Body& body) const {
     for (uint32_t r = 0; r < header_.rows; ++r) {
       for (uint32_t c = 0; c < header_.cols; ++c) {
         const auto number = static_cast<size_t>(geometry_.image_number(0, {r, c}));
-        coded_.records.visit(number, [&](const ImageCode& image) {
-          if (geometry_.is_reference(0, {r, c})) {
-            const PlaneCode& records = image[kMotionPlane];
-            if (!records.record_sizes.empty()) disparities.add_bits(bits_of(records));
-          } else {
-            for (const PlaneCode& plane : image) predictive_.sum.bits += bits_of(plane);
-          }
-        });
+        coded_.records.visit(number, [&](const ImageCode& image) { body(ImagePos{r, c}, image); });
       }
     }
   }
@@ -122,8 +205,8 @@ class Trial {
   EncodeSession session_;
   EncodePart sample_;
   CodedImages coded_;
-  Share predictive_;
-  Share keys_;
+  double predicted_ = 0;  // images
+  double keys_ = 0;
   ErrorSums error_;  // of the predictive images
   ErrorSums key_error_;
   std::mutex mutex_;
@@ -145,6 +228,18 @@ double key_image_bits(const StreamHeader& header, const EncodeParams& params,
 }
 
 }  // namespace
+
+Rect trial_part(const ViewProvider& views, const StreamHeader& header) {
+  const LightFieldShape& whole = views.shape();
+  LightFieldShape shape = whole;
+  shape.width = std::min(whole.width, kTrialWidth);
+  shape.height = std::min(whole.height, kTrialHeight);
+  const ImagePos middle{whole.rows / 2, whole.cols / 2};
+  const auto place = typical_place(view_planes(views, Geometry(header), middle)[0], shape);
+  // The plane is that of whole blocks, which may be larger than the view.
+  return {std::min(place.first, whole.width - shape.width),
+          std::min(place.second, whole.height - shape.height), shape.width, shape.height};
+}
 
 TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images) {

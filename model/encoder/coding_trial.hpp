@@ -1,4 +1,4 @@
-// Estimates what an encoding would cost, from a sample of it.
+// Estimates what an encoding would cost, from some images of a part of all views.
 #pragma once
 
 #include <hmlfc/encoder.hpp>
@@ -8,6 +8,10 @@
 #include "encoder/rate_distortion.hpp"
 
 namespace hmlfc {
+
+/// The part of `views` on which parameters are tried: of each the same rectangle of at most 384x256
+/// pixels, the one most like the whole. `header` is one for `views`.
+Rect trial_part(const ViewProvider& views, const StreamHeader& header);
 
 /// Error and size of an encoding of all views, as estimated.
 struct TrialResult {

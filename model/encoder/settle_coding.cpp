@@ -12,7 +12,6 @@
 #include "encoder/cached_views.hpp"
 #include "encoder/coding_trial.hpp"
 #include "encoder/plane_targets.hpp"
-#include "encoder/trial_part.hpp"
 #include "encoder/view_planes.hpp"
 #include "syntax/geometry.hpp"
 
@@ -29,8 +28,7 @@ constexpr double kNextQuality = 2;
 constexpr double kNearQuality = 8;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
-// Where each view is its own key image, there is no geometry, and no block decodes without the rest
-// of its view.
+// Views that are all key images have no geometry, and no block decodes without all of its view.
 constexpr double kMattersMuch = 0.1;
 
 // Images that a trial codes.

@@ -11,16 +11,13 @@ Exit: 0 good, 1 not, 77 skipped: no browser, no WebGPU, or no WGSL or module was
 """
 
 import fnmatch
-import http.server
 import json
 import sys
-import tempfile
-import threading
 from pathlib import Path
 
-from wgsl_test import SKIPPED, Handler, Page, error_numbers
+from wgsl_test import SKIPPED, Page, checked, error_numbers
 
-from browser import WEBGPU, Browser, missing
+from browser import missing
 
 CAMERA = {"frame_width": "width", "frame_height": "height", "pu": "u", "pv": "v", "pz": "z", "qu": "atU", "qv": "atV",
           "qz": "atZ", "focus": "focus", "aperture": "aperture", "filter": "filter", "geometry": "geometry"}
@@ -74,23 +71,8 @@ def main():
     if missing() or not (kernels / "hmlfc_stream.wasm").exists():
         print(f"skipped: {missing() or 'no module was built'}")
         return SKIPPED
-    Handler.roots = {"wgsl": kernels, "suite": suite, "page": Path(__file__).parent}
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    with tempfile.TemporaryDirectory() as temporary:
-        browser = Browser(f"{temporary}/cache", WEBGPU)
-        try:
-            page = FramesPage(browser, f"http://127.0.0.1:{server.server_port}/")
-            why = page.call("openDevice", module="wgsl_page.js")
-            if why:
-                print(f"skipped: {why}")
-                return SKIPPED
-            found = check(page, frames_by_stream(suite, pattern))
-            print("\n".join(found))
-            return 1 if found else 0
-        finally:
-            browser.end()
-            server.shutdown()
+    names = frames_by_stream(suite, pattern)
+    return checked(FramesPage, dict(wgsl=kernels, suite=suite), lambda page: check(page, names), module="wgsl_page.js")
 
 
 if __name__ == "__main__":

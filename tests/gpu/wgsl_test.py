@@ -127,6 +127,27 @@ def check(page, vectors, kernels):
     return found
 
 
+def checked(make_page, roots, check, **device):
+    """The exit status of check(page) with folders served at `roots`; `device`: arguments of openDevice."""
+    Handler.roots = {**roots, "page": Path(__file__).parent}
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    with tempfile.TemporaryDirectory() as cache:
+        browser = Browser(cache, WEBGPU)
+        try:
+            page = make_page(browser, f"http://127.0.0.1:{server.server_port}/")
+            why = page.call("openDevice", **device)
+            if why:
+                print(f"skipped: {why}")
+                return SKIPPED
+            found = check(page)
+            print("\n".join(found))
+            return 1 if found else 0
+        finally:
+            browser.end()
+            server.shutdown()
+
+
 def main():
     program, kernels, suite = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
     if missing() or not (kernels / "walk.wgsl").exists():
@@ -138,22 +159,8 @@ def main():
         made = subprocess.run([program, str(suite), str(areas)], check=False)
         if made.returncode != 0:
             return made.returncode
-        Handler.roots = {"wgsl": kernels, "suite": suite, "areas": areas, "page": Path(__file__).parent}
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        browser = Browser(f"{temporary}/cache", WEBGPU)
-        try:
-            page = Page(browser, f"http://127.0.0.1:{server.server_port}/")
-            why = page.call("openDevice")
-            if why:
-                print(f"skipped: {why}")
-                return SKIPPED
-            found = check(page, vectors_that_open(suite, areas), kernels)
-            print("\n".join(found))
-            return 1 if found else 0
-        finally:
-            browser.end()
-            server.shutdown()
+        files = vectors_that_open(suite, areas)
+        return checked(Page, dict(wgsl=kernels, suite=suite, areas=areas), lambda page: check(page, files, kernels))
 
 
 if __name__ == "__main__":
