@@ -98,8 +98,13 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
     });
   };
   Encoded found = run_encoder(light_field, lossy, &goal, progress, search);
-  if (!found || params.chroma || found->params.chroma == ChromaFormat::k444) return found;
-  if (!goal.is_least() || goal.is_met(goal.surplus_db(*found, shape))) return found;
+  if (!found || goal.is_met(goal.surplus_db(*found, shape))) return found;
+  if (!goal.is_least()) {  // what trials settled for more bytes may take too many
+    lossy.extended.quality = found->params.extended.quality;
+    Encoded again = run_encoder(light_field, lossy, nullptr, progress, search);
+    return again && again->bytes.size() < found->bytes.size() ? again : found;
+  }
+  if (params.chroma || found->params.chroma == ChromaFormat::k444) return found;
   lossy.chroma = ChromaFormat::k444;  // what halved chroma costs one view is not what it costs all
   return run_encoder(light_field, lossy, &goal, progress, search);
 }

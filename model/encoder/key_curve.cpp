@@ -16,7 +16,7 @@ constexpr int kErrorCount = 29;
 constexpr double kFinestGuess = 12;
 constexpr int kErrorsOfBit = 4;
 // What OpenJPEG may leave of what is asked for; 1 to 1.4 times is usual.
-constexpr double kMostExcess = 4;
+constexpr double kMostExcess = 2;
 // Errors tried between two of them.
 constexpr int kParts = 8;
 
@@ -51,13 +51,16 @@ CodedPlane code_key_plane(const SamplePlane& plane, SamplePrecision precision, d
   auto codestream = error > 0 ? encode_jpeg2000_lossy(plane, precision, error)
                               : encode_jpeg2000(plane, precision);
   if (!codestream) throw std::bad_alloc();
-  if (error == 0) return {std::move(*codestream), plane};
+  if (error == 0) return {std::move(*codestream), plane, 0};
   auto decoded = decode_jpeg2000(*codestream, plane.width, plane.height);
   if (!decoded) throw std::bad_alloc();
   if (mean_squared_error(plane, *decoded) > kMostExcess * error) {
-    return code_key_plane(plane, precision, error > kLeastError ? error / kMostExcess : 0);
+    const bool least = error <= kLeastError;
+    CodedPlane finer = code_key_plane(plane, precision, least ? 0 : error / kMostExcess);
+    if (least) finer.asked = error;
+    return finer;
   }
-  return {std::move(*codestream), std::move(*decoded)};
+  return {std::move(*codestream), std::move(*decoded), error};
 }
 
 double KeyCurve::bytes(int point) const {
@@ -72,7 +75,7 @@ const KeyCurve::Measured& KeyCurve::measured(int point) const {
   const CodedPlane coded = code_key_plane(plane_, precision_, asked_at(point));
   bytes_[point] = static_cast<double>(coded.codestream.size());
   const double bits = 8 * bytes_[point] / static_cast<double>(plane_.samples.size());
-  const KeyPoint key{asked_at(point), mean_squared_error(plane_, coded.decoded), bits, steps_};
+  const KeyPoint key{coded.asked, mean_squared_error(plane_, coded.decoded), bits, steps_};
   return measured_[point] = {key, measure_(coded.decoded)};
 }
 
@@ -94,9 +97,13 @@ KeyCurve::Priced KeyCurve::least(double weight, Lambda lambda) const {
   // From about where a bit costs what it saves, but not from where errors jump to 0.
   const double guess = 2 * std::log2(bit / (2 + 1.6 * weight) / kLeastError);
   int point = static_cast<int>(std::clamp(std::round(guess), kFinestGuess, error_count_ - 1.0));
+  // Beyond some error OpenJPEG leaves far more than is asked of it: nothing coarser is tried.
+  const auto is_reached = [&](int at) { return measured(at).key.asked == asked_at(at); };
+  while (point > 0 && !is_reached(point)) --point;
   const auto is_last = [&] {
     const KeyPoint& key = measured(point).key;
-    return point + 1 == error_count_ || key.error < key.asked / 8;  // nothing is left to lose
+    const bool lossless = key.error < key.asked / 8;  // nothing is left to lose
+    return point + 1 == error_count_ || lossless || !is_reached(point + 1);
   };
   const int first = point;
   while (!is_last() && cost_at(point + 1) < cost_at(point)) ++point;

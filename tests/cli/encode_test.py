@@ -9,7 +9,7 @@ from program import DONE, INPUT, MISSED, CliTest, main
 
 KEYS = [
     "bytes", "bpp", "ratio", "rows", "cols", "width", "height", "profile", "method", "sections",
-    "seconds", "psnr_rgb", "psnr_y", "max_abs_error",
+    "depth", "seconds", "psnr_rgb", "psnr_y", "max_abs_error",
 ]  # fmt: skip
 SECTIONS = ["header", "index", "motion", "residual", "top", "other"]
 

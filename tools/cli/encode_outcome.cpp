@@ -14,6 +14,7 @@ namespace {
 
 void print_outcome_json(const EncodeOutcome& outcome) {
   Json json = report_json(outcome.stream);
+  json["depth"] = outcome.stream.header.depth;  // of what is compared below
   json["seconds"] = outcome.wall_seconds;
   json["psnr_rgb"] = psnr_json(outcome.quality.psnr_rgb);
   json["psnr_y"] = psnr_json(outcome.quality.psnr_y);
@@ -31,9 +32,9 @@ void print_outcome_json(const EncodeOutcome& outcome) {
 
 void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outcome) {
   const StreamHeader& header = outcome.stream.header;
-  print(fmt::format("File          {}\nLight field   {}\nCoding        {}\n",
-                    options.output.string(), describe(shape_of(header)), describe_coding(header)));
-  print(size_text(outcome.stream) + outcome.rig);
+  print(fmt::format("File          {}\nLight field   {}\nCoding        {}\n{}{}",
+                    options.output.string(), describe(shape_of(header)), describe_coding(header),
+                    size_text(outcome.stream), outcome.rig));
   print(fmt::format("Quality       PSNR RGB {}, Y {}, largest error {}\n",
                     psnr_text(outcome.quality.psnr_rgb), psnr_text(outcome.quality.psnr_y),
                     outcome.quality.max_abs_error));
