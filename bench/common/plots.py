@@ -46,5 +46,5 @@ def draw(path, panels, across):
             (lines[curve.label],) = axes.plot(curve.x, curve.y, curve.style, color=colour, label=curve.label)
     figure.tight_layout(rect=(0, 0.7 / figure.get_figheight(), 1, 1))
     figure.legend(handles=list(lines.values()), loc="lower center", ncol=4, frameon=False)
-    figure.savefig(path, dpi=80)
+    figure.savefig(path, dpi=110)
     pyplot.close(figure)

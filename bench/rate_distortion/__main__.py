@@ -2,10 +2,9 @@
 """Rate against quality of whole light fields: HMLFC, x265, JPEG and JPEG 2000.
 
 main-weighed decides by squared error and bits, the other methods of profile main as the paper does.
-Prints the points and the bits a pixel at equal PSNR, and draws curves.png. PSNR is
-that of the mean squared error over all views and the channels R, G and B, against 8-bit sources;
-bits a pixel count whole files against the pixels of all views; seconds are CPU time of encoding, and of decoding all
-views.
+Prints the points and the bits a pixel at equal PSNR, and draws curves.png. PSNR is that of the mean squared error over
+all views and the channels R, G and B, against 8-bit sources; bits a pixel count whole files against the pixels of all
+views; seconds are CPU time of encoding, and of decoding all views.
 
 x265 gets the views in serpentine order as BT.709 video in 4:4:4, which at the same PSNR over RGB takes fewer bits than
 4:2:0, and is measured on its own reconstruction.
@@ -44,6 +43,12 @@ PARAMETERS = {  # all points, the points of --quick
     "jpeg2000": ((200, 100, 50, 25, 12, 8), (100, 30, 10)),
 }
 COMPARED = ("extended", "main-weighed", "main-hmlfc", "x265-intra", "x265-inter")
+CURVES = {  # label and style of matplotlib, in the order of the legend
+    "extended": ("HMLFC extended", "o-"), "x265-inter": ("x265 inter, serpentine", "D-"),
+    "main-weighed": ("HMLFC main, weighed", "s-"), "x265-intra": ("x265 all-intra", "P--"),
+    "main-hmlfc": ("HMLFC main", "s--"), "jpeg2000": ("JPEG 2000 a view", "X:"),
+    "main-rlfc": ("main, RLFC", "v--"), "jpeg": ("JPEG a view", "*:"), "main-mc": ("main, MC", "^--"),
+}
 RATIOS = (("x265-intra", "extended"), ("x265-inter", "extended"), ("main-hmlfc", "extended"))
 
 
@@ -127,8 +132,8 @@ def picture(results, folder, prefix):
     panels = []
     for field in results["light_fields"]:
         own = [row for row in results["points"] if row["light_field"] == field["light_field"]]
-        curves = [Curve(codec, *zip(*[(row["bpp"], row["psnr_rgb"]) for row in own if row["codec"] == codec]))
-                  for codec in dict.fromkeys(row["codec"] for row in own)]
+        of = lambda codec: [(row["bpp"], row["psnr_rgb"]) for row in own if row["codec"] == codec]
+        curves = [Curve(label, *zip(*of(codec)), style) for codec, (label, style) in CURVES.items() if of(codec)]
         panels.append(Panel(f"{field['light_field']}: {field['views']} views, {field['size']}", curves, "bits a pixel",
                             "PSNR RGB, dB"))
     draw(folder / f"{prefix}curves.png", panels, len(panels))
