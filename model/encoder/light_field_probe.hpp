@@ -15,7 +15,7 @@ namespace hmlfc {
 /// depends on reference groups or quality.
 struct LightFieldProbe {
   DisparityRange disparities;  ///< in units of the header's disparity_precision
-  int row_scale = 16;          ///< 16, or -16 where rows run against their parallax
+  int row_scale = 16;  ///< of the header: 16, negative where rows run against their parallax
   /// Of the view in the middle: as it is, then refined for those around it, if there are any. Empty
   /// without lossy_keys. They measure what they are asked for, and share about nine views.
   std::array<std::vector<KeyCurve>, kPlaneCount> keys;
@@ -24,10 +24,14 @@ struct LightFieldProbe {
   std::array<double, kPlaneCount> key_bits{};
 };
 
+/// The row scales that may be the views': the better one of 16 and -16, for rows of cameras as far
+/// apart as columns, then another one where that predicts the views around the middle better.
+std::vector<int> likely_row_scales(const ViewProvider& views, const StreamHeader& header);
+
 /// Looks at the views around the middle of the grid, up to 12 samples of disparity per view; key
 /// images are measured in `part` of all views. What the feature flags of `header` have no use for
 /// is left out. Throws std::bad_alloc.
 LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header,
-                                  const ViewProvider& part);
+                                  const ViewProvider& part, int row_scale);
 
 }  // namespace hmlfc

@@ -175,6 +175,20 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
   return costly ? ChromaFormat::k444 : ChromaFormat::k420;
 }
 
+// Probes with the row scale that `params`, of which nothing is open, cost least with.
+LightFieldProbe probe_by_trial(const ViewProvider& views, const StreamHeader& header,
+                               const ViewProvider& part, const EncodeParams& params) {
+  const std::vector<int> row_scales = likely_row_scales(views, header);
+  LightFieldProbe usual = probe_light_field(views, header, part, row_scales.front());
+  if (row_scales.size() == 1 || header.tree_height > 0) return usual;
+  LightFieldProbe other = probe_light_field(views, header, part, row_scales.back());
+  const auto cost = [&](const LightFieldProbe& probe) {
+    return try_coding(views.shape(), part, params, probe, trial_images(params.extended.preset))
+        .cost(lambda_of_quality(params.extended.quality));
+  };
+  return cost(other) < cost(usual) ? other : usual;
+}
+
 // Settles by trial what is open in `asked`; for a target the quality, too.
 void search_coding(const LightFieldShape& shape, const ViewProvider& part,
                    const EncodeParams& asked, const EncodeGoal* goal, const Progress& progress,
@@ -211,22 +225,25 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   SettledCoding settled{params, {}};
   EncodeParams& found = settled.params;
   const bool open_groups = params.ref_rows == 0 || params.ref_cols == 0;
+  // What is known of the light field is the same whatever trials choose: who takes a part of a plan
+  // knows their choice before.
+  EncodeParams usual = params;
+  usual.ref_rows = size_at_most(group_sizes(shape.rows), kUsualGroup);
+  usual.ref_cols = size_at_most(group_sizes(shape.cols), kUsualGroup);
+  usual.extended.disparity_grid = 8;
+  usual.extended.motion_tile = 64;
   if (open_groups) {
-    found.ref_rows = size_at_most(group_sizes(shape.rows), kUsualGroup);
-    found.ref_cols = size_at_most(group_sizes(shape.cols), kUsualGroup);
+    found.ref_rows = usual.ref_rows;
+    found.ref_cols = usual.ref_cols;
   }
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
   if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
   if (!found.chroma) found.chroma = chroma_for(views, found, goal);
-  // What is known of the light field is the same whatever trials choose: who takes a part of a plan
-  // knows their choice before.
-  EncodeParams usual = found;
-  usual.extended.disparity_grid = 8;
-  usual.extended.motion_tile = 64;
+  usual.chroma = found.chroma;
   const auto header = header_for(shape, usual);
   if (!header || params.profile == Profile::kMain) return settled;
   const CachedViews part(views, trial_part(views, *header), cache_bytes);
-  settled.probe = probe_light_field(views, *header, part);
+  settled.probe = probe_by_trial(views, *header, part, usual);
   if (!header->has(Feature::kMotionTiles) || header->tree_height > 0) return settled;
   const bool open_grid = params.extended.disparity_grid == 0 || params.extended.motion_tile == 0;
   if (!open_groups && goal == nullptr && !(open_grid && tries_grids(params))) {
