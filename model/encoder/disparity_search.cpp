@@ -15,8 +15,7 @@ namespace {
 
 // At each end of the range, at most one block in this many has its match outside.
 constexpr int64_t kRareBlocks = 400;
-// A coarse search looks at every second row of blocks, where there are not few of them.
-constexpr uint32_t kRowsApart = 2;
+// A coarse search looks at all rows of blocks, if there are fewer than these.
 constexpr uint32_t kFewRows = 12;
 // A tile's disparities are looked for where a coarse look at some targets finds some.
 constexpr int32_t kCoarseStep = 3;
@@ -220,7 +219,8 @@ CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit) {
   const uint32_t blocks_x = ceil_div(search.width, 1u << search.grid_log2);
   const size_t candidates = RowCosts(search, all, step, 0, blocks_x).candidates();
   const uint32_t blocks_y = ceil_div(search.height, 1u << search.grid_log2);
-  const uint32_t apart = blocks_y < kFewRows ? 1 : kRowsApart;
+  const uint32_t apart =
+      blocks_y < kFewRows ? 1 : std::min(search.rows_apart, 2 * blocks_y / kFewRows);
   const uint32_t looked_at = blocks_y / apart;
   std::vector<std::vector<int64_t>> counts(looked_at, std::vector<int64_t>(candidates));
   std::vector<int64_t> errors(looked_at);

@@ -41,6 +41,7 @@ struct DisparitySearch {
   unsigned tile_log2 = 6;
   int32_t bound = 255;  ///< the largest magnitude in the references
   Lambda lambda;
+  uint32_t rows_apart = 2;  ///< a coarse search looks at one row of blocks in so many, if not few
 };
 
 /// Disparities [lo, hi], in their units.

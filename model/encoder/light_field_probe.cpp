@@ -21,9 +21,8 @@ constexpr int32_t kReach = 2;
 constexpr unsigned kProbeGridLog2 = 4;
 // A lambda with which no residual ever pays: squared errors count as they are.
 constexpr int64_t kNoResidual = int64_t{1} << 40;
-// Distances of rows of cameras, in 16ths of that of columns, and the error that one must leave to
-// be believed, of what 16 leaves: with the lambda of quality 84, blocks that nothing predicts count
-// little. Light fields whose rows and columns are as far apart are within 2 percent.
+// Distances of rows of cameras, in 16ths of that of columns. One is believed that leaves this share
+// of the error of 16; with the lambda of quality 84, as what nothing predicts counts little then.
 constexpr std::array kRowScales{5, 8, 11, 12, 13, 14, 18, 20, 21, 24, 27, 32, 48};
 constexpr Lambda kFineLambda{int64_t{256} << 2};
 constexpr double kBelievedError = 0.95;
@@ -60,7 +59,10 @@ std::vector<int32_t> moves(uint32_t count) {
 class DisparityProbe {
  public:
   DisparityProbe(const ViewProvider& views, const StreamHeader& header)
-      : views_(views), header_(header), geometry_(header) {
+      : views_(views),
+        header_(header),
+        geometry_(header),
+        reference_(luma(middle()), header.width, header.height, header.window + 10) {
     for (const int32_t rows : moves(header.rows)) {
       for (const int32_t cols : moves(header.cols)) add_view(rows, cols);
     }
@@ -68,13 +70,13 @@ class DisparityProbe {
 
   // Of all blocks, as far as the limit allows.
   CoarseResult range(int row_scale) const {
-    return search(row_scale, {kNoResidual}, kProbeGridLog2);
+    return search(row_scale, {kNoResidual}, kProbeGridLog2, 2);
   }
 
   // The row scale with the sign of `usual` that leaves the least error, if it is less than usual.
   int row_scale(int usual) const {
     const auto error = [&](int scale) {
-      return static_cast<double>(search(scale, kFineLambda, 3).error);
+      return static_cast<double>(search(scale, kFineLambda, 3, 8).error);
     };
     int best = usual;
     double least = kBelievedError * error(usual);
@@ -88,19 +90,19 @@ class DisparityProbe {
   }
 
  private:
-  CoarseResult search(int row_scale, Lambda lambda, unsigned grid_log2) const {
-    const PaddedPlane reference(luma(middle()), header_.width, header_.height, header_.window + 10);
+  CoarseResult search(int row_scale, Lambda lambda, unsigned grid_log2, uint32_t rows_apart) const {
     StreamHeader header = header_;
     header.row_scale = row_scale;
     DisparitySearch search = disparity_search(header);
     search.targets = targets_;
     for (size_t i = 0; i < planes_.size(); ++i) {
       search.targets[i].plane = &planes_[i];
-      search.targets[i].first.plane = &reference;
+      search.targets[i].first.plane = &reference_;
     }
     search.lambda = lambda;
     search.bound = reference_bound(Plane::kY, header_.depth, true);
     search.grid_log2 = grid_log2;
+    search.rows_apart = rows_apart;
     const int32_t limit = std::min(kMaxDisparityPerView, std::max(1, header_.window / farthest_));
     return coarse_disparities(search, limit << header_.disparity_precision);
   }
@@ -119,6 +121,7 @@ class DisparityProbe {
   const ViewProvider& views_;
   const StreamHeader& header_;
   Geometry geometry_;
+  PaddedPlane reference_;
   std::vector<SearchTarget> targets_;
   std::vector<SamplePlane> planes_;
   int32_t farthest_ = 1;

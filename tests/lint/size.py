@@ -22,7 +22,7 @@ LIMITS = {
     "bench/": 4000,
     "rtl/formal/": 2500,
     "tools/": 40983,
-    "model/": 25175,
+    "model/": 25180,
     "": 155640,
 }
 
