@@ -38,7 +38,7 @@ void use_extended_tools(const EncodeParams& params, StreamHeader& header) {
   use(Feature::kTwoReferences);
   header.vector_precision = 3;
   header.disparity_precision = 3;
-  header.motion_tile_log2 = params.extended.motion_tile == 128 ? 7 : 6;
+  header.motion_tile_log2 = 6;
   header.disparity_grid_log2 =
       std::max(params.extended.disparity_grid == 4 ? 2u : 3u, header.block_log2);
   header.row_scale = 16;

@@ -3,17 +3,6 @@
 #include "encoder/coding_params.hpp"
 
 namespace hmlfc {
-namespace {
-
-// Whether what trials may settle is open or in its interval.
-bool has_known_extended_choices(const ExtendedParams& params) {
-  const auto one_of = [](unsigned value, unsigned a, unsigned b) {
-    return value == 0 || value == a || value == b;
-  };
-  return one_of(params.disparity_grid, 4, 8) && one_of(params.motion_tile, 64, 128);
-}
-
-}  // namespace
 
 const char* problem_of(const LightFieldShape& shape, const EncodeParams& params) {
   const EncodeParams complete = with_defaults(params);
@@ -25,7 +14,8 @@ const char* problem_of(const LightFieldShape& shape, const EncodeParams& params)
   if (!(quality >= lowest_quality(shape.depth) && quality <= kHighestQuality)) {
     return "the quality is outside [0, 132]; the least is -32 for samples of 10 bits, -64 for 12";
   }
-  if (!has_known_extended_choices(params.extended)) return kOutsideInterval;
+  const unsigned grid = params.extended.disparity_grid;
+  if (grid != 0 && grid != 4 && grid != 8) return kOutsideInterval;
   if (!header_for(shape, checked)) return kOutsideInterval;
   return nullptr;
 }

@@ -36,8 +36,8 @@ size_t trial_images(Preset preset) {
   return preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 16 : 32;
 }
 
-// Whether finer disparities and larger motion tiles are tried, too.
-bool tries_grids(const EncodeParams& params) { return params.extended.preset != Preset::kFast; }
+// Whether finer disparities are tried, too.
+bool tries_grid(const EncodeParams& params) { return params.extended.preset != Preset::kFast; }
 
 // Sizes of groups that cut a line of `count` views into different numbers of groups, ascending.
 std::vector<uint32_t> group_sizes(uint32_t count) {
@@ -65,24 +65,19 @@ class CodingSearch {
         best_(params) {
     best_result_ = trial(best_);
     least_ = best_result_.cost(lambda_);
+    tried_.insert({best_.ref_rows, best_.ref_cols});
   }
 
   void find_groups() {
-    while (move(-1, -1)) {
-    }
-    while (move(1, 1)) {
-    }
+    if (!go_on(1)) go_on(-1);
   }
 
-  // Finer disparities and larger motion tiles, where `asked` leaves that open.
-  void find_grid(const ExtendedParams& asked) {
-    if (!tries_grids(best_)) return;
+  // Finer disparities.
+  void find_grid() {
+    if (!tries_grid(best_) || best_.block_size > 4) return;
     EncodeParams tried = best_;
     tried.extended.disparity_grid = 4;
-    if (asked.disparity_grid == 0 && best_.block_size <= 4) attempt(tried);
-    tried = best_;
-    tried.extended.motion_tile = 128;
-    if (asked.motion_tile == 0) attempt(tried);
+    attempt(tried);
   }
 
   const EncodeParams& best() const { return best_; }
@@ -115,14 +110,16 @@ class CodingSearch {
     return true;
   }
 
-  // Goes over to the next smaller (-1) or larger (1) size of groups, if that is cheaper.
-  bool move(int rows, int cols) {
-    EncodeParams tried = best_;
-    tried.ref_rows = neighbour(rows_, best_.ref_rows, rows);
-    tried.ref_cols = neighbour(cols_, best_.ref_cols, cols);
-    const std::pair size{tried.ref_rows, tried.ref_cols};
-    if (!tried_.insert(size).second) return false;
-    return attempt(tried);
+  // Goes over to smaller (-1) or larger (1) groups as long as they are cheaper; whether it did.
+  bool go_on(int move) {
+    const auto last = std::pair{best_.ref_rows, best_.ref_cols};
+    for (bool better = true; better;) {
+      EncodeParams tried = best_;
+      tried.ref_rows = neighbour(rows_, best_.ref_rows, move);
+      tried.ref_cols = neighbour(cols_, best_.ref_cols, move);
+      better = tried_.insert({tried.ref_rows, tried.ref_cols}).second && attempt(tried);
+    }
+    return last != std::pair{best_.ref_rows, best_.ref_cols};
   }
 
   static uint32_t neighbour(const std::vector<uint32_t>& sizes, uint32_t size, int move) {
@@ -203,7 +200,7 @@ void search_coding(const LightFieldShape& shape, const ViewProvider& part,
     const bool far = round == 0 && std::abs(first) > kNearQuality * kDbPerQuality;
     if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
       if (open_groups) search.find_groups();
-      search.find_grid(asked.extended);
+      if (asked.extended.disparity_grid == 0) search.find_grid();
       searched = found.extended.quality;
     }
     found = search.best();
@@ -231,13 +228,11 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   usual.ref_rows = size_at_most(group_sizes(shape.rows), kUsualGroup);
   usual.ref_cols = size_at_most(group_sizes(shape.cols), kUsualGroup);
   usual.extended.disparity_grid = 8;
-  usual.extended.motion_tile = 64;
   if (open_groups) {
     found.ref_rows = usual.ref_rows;
     found.ref_cols = usual.ref_cols;
   }
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
-  if (found.extended.motion_tile == 0) found.extended.motion_tile = 64;
   if (!found.chroma) found.chroma = chroma_for(views, found, goal);
   usual.chroma = found.chroma;
   const auto header = header_for(shape, usual);
@@ -245,10 +240,8 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   const CachedViews part(views, trial_part(views, *header), cache_bytes);
   settled.probe = probe_by_trial(views, *header, part, usual);
   if (!header->has(Feature::kMotionTiles) || header->tree_height > 0) return settled;
-  const bool open_grid = params.extended.disparity_grid == 0 || params.extended.motion_tile == 0;
-  if (!open_groups && goal == nullptr && !(open_grid && tries_grids(params))) {
-    return settled;
-  }
+  const bool open_grid = params.extended.disparity_grid == 0 && tries_grid(params);
+  if (!open_groups && goal == nullptr && !open_grid) return settled;
   search_coding(shape, part, params, goal, progress, settled);
   if (goal != nullptr && !params.chroma) {
     // A number of bytes says only now what chroma may cost.

@@ -100,13 +100,11 @@ TEST(Quality, PlainViewsKeepTheirColour) {
   }
 }
 
-TEST(Quality, GridsAndTilesOutsideTheirIntervalsAreRefused) {
+TEST(Quality, GridsOutsideTheirIntervalAreRefused) {
   const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
-  EncodeParams grid = extended(), tile = extended();
+  EncodeParams grid = extended();
   grid.extended.disparity_grid = 5;
-  tile.extended.motion_tile = 32;
   EXPECT_FALSE(encode(field, grid).has_value());
-  EXPECT_FALSE(encode(field, tile).has_value());
 }
 
 EncodeParams main_params() {

@@ -25,7 +25,7 @@ double trial_pixels(const LightFieldShape& shape, const EncodeParams& params) {
   const double part = std::min(shape.width, 384u) * std::min(shape.height, 256u);
   const Preset preset = params.extended.preset;
   const double images = preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 16 : 32;
-  const double trials = preset == Preset::kFast ? 3 : 8;
+  const double trials = preset == Preset::kFast ? 3 : 5;
   return trials * part * std::min(1.4 * images, static_cast<double>(shape.rows) * shape.cols);
 }
 
@@ -72,7 +72,6 @@ std::string encode_forecast(const LightField& field, const EncodeParams& params,
   if (settled.ref_rows == 0) settled.ref_rows = std::min(5u, shape.rows);
   if (settled.ref_cols == 0) settled.ref_cols = std::min(5u, shape.cols);
   settled.extended.disparity_grid = 8;
-  settled.extended.motion_tile = 64;
   const LightField part = middle_of(field, side);
   const Clock clock;
   if (!encode(part, settled)) return "";

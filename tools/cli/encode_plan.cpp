@@ -48,8 +48,7 @@ Json params_json(const EncodeParams& params) {
           {"rate_distortion", params.main.rate_distortion},
           {"quality", params.extended.quality},
           {"preset", params.extended.preset},
-          {"disparity_grid", params.extended.disparity_grid},
-          {"motion_tile", params.extended.motion_tile}};
+          {"disparity_grid", params.extended.disparity_grid}};
 }
 
 EncodeParams params_of(const Json& json) {
@@ -71,7 +70,6 @@ EncodeParams params_of(const Json& json) {
   json.at("quality").get_to(params.extended.quality);
   json.at("preset").get_to(params.extended.preset);
   json.at("disparity_grid").get_to(params.extended.disparity_grid);
-  json.at("motion_tile").get_to(params.extended.motion_tile);
   return params;
 }
 

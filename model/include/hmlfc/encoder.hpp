@@ -55,7 +55,6 @@ struct ExtendedParams {
   /// Samples a side for which a reference group has one disparity: 4 or 8, at least block_size, or
   /// open with 0: found by trial.
   unsigned disparity_grid = 0;
-  unsigned motion_tile = 0;  ///< samples a side of a motion tile: 64 or 128, or open with 0, too
 };
 
 /// How to encode. The intervals are those of the header (specification, section 3). What is left
