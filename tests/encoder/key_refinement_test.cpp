@@ -32,7 +32,7 @@ class KeyRefinementCase : public testing::TestWithParam<Scene> {
     EncodeParams params = with_defaults({});
     params.ref_rows = params.ref_cols = 5;
     params.chroma = GetParam().chroma;
-    params.extended = {60, Preset::kMedium, 8, 64};
+    params.extended = {60, Preset::kMedium, 8};
     header_ = header_for({5, 5, kViewWidth, kViewHeight, GetParam().depth}, params).value();
     header_.row_scale = 16;
     geometry_.emplace(header_);
