@@ -47,10 +47,13 @@ IoResult<RgbImage> read_source(const ImageSource& source) {
 
 }  // namespace
 
-void ImageSource::note_depth(int bits) const {
+void ImageSource::note_depth(int bits, const RgbImage& image) const {
   if (bits <= 12) return;
+  const auto most = std::ranges::max_element(image.samples);
+  const bool low = most != image.samples.end() && *most > 0 && *most < 256;
   note("samples of " + std::to_string(bits) +
-       " bits are reduced to 12 bits, the most that a stream holds");
+       " bits are reduced to 12 bits, the most that a stream holds" +
+       (low ? "; these are below 4096: if they are of 12 bits, multiply them by 16 first" : ""));
 }
 
 void ImageSource::note_surplus(size_t count) const {

@@ -26,8 +26,9 @@ struct ImageSource {
 
   void note(std::string what) const { notes.add(path, std::move(what)); }
 
-  /// Notes that samples of `bits` bits become those of 12, if they are more.
-  void note_depth(int bits) const;
+  /// Notes that samples of `bits` bits, [1, 16], became those of `image`, of 12, if they are more;
+  /// also that these leave out what files with 12 bits in the lower ones of 16 hold.
+  void note_depth(int bits, const RgbImage& image) const;
 
   /// Notes that `bytes` bytes after the picture are not read, if there are any.
   void note_surplus(size_t bytes) const;

@@ -200,7 +200,6 @@ bool can_hold(size_t file_bytes, uint64_t pixels, uint64_t bits_per_pixel) {
 
 /// Of the header, before libpng is asked for other samples.
 void note_header(const ImageSource& source, const PngReader& reader) {
-  source.note_depth(significant_bits(reader));
   if ((png_get_color_type(reader.png(), reader.info()) & PNG_COLOR_MASK_ALPHA) != 0) {
     source.note("the alpha channel is dropped");
   }
@@ -259,7 +258,10 @@ IoResult<RgbImage> read_png(const ImageSource& source) {
   if (palette && !look_up_colours(reader, *image)) {
     source.note("pixels without a colour in the palette are black");
   }
-  if (wide) narrow_rows(*image);
+  if (wide) {
+    narrow_rows(*image);
+    source.note_depth(significant_bits(reader), *image);
+  }
   if (!palette && !wide) widen_bytes(*image);
   note_remarks(source, reader.input());
   return upright(source, std::move(*image), reader.input().orientation);

@@ -136,8 +136,8 @@ class PnmScale {
     return static_cast<uint16_t>((value * white() + maxval_ / 2) / maxval_);  // below 2^29
   }
 
-  void note(const ImageSource& source) const {
-    if (exact_) return source.note_depth(bits_);
+  void note(const ImageSource& source, const RgbImage& image) const {
+    if (exact_) return source.note_depth(bits_, image);
     source.note("samples of 0 to " + std::to_string(maxval_) + " are scaled to 0 to " +
                 std::to_string(white()));
   }
@@ -190,7 +190,7 @@ IoResult<RgbImage> read_pnm(const ImageSource& source) {
     return damaged(source, "PNM: a sample is missing or over the greatest value " +
                                std::to_string(header->maxval));
   }
-  scale.note(source);
+  scale.note(source, *image);
   cursor.skip_blanks();
   source.note_surplus(cursor.rest().size());
   return image;

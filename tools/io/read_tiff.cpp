@@ -191,8 +191,9 @@ class PieceReader {
 };
 
 /// What the picture has besides its samples.
-void note_remarks(const ImageSource& source, TIFF* tiff, const Layout& layout) {
-  source.note_depth(layout.bits);
+void note_remarks(const ImageSource& source, TIFF* tiff, const Layout& layout,
+                  const RgbImage& image) {
+  source.note_depth(layout.bits, image);
   if (layout.channels > layout.used_channels()) source.note("the alpha channel is dropped");
   if (TIFFLastDirectory(tiff) == 0) source.note("only the first picture of the file is read");
   uint32_t count = 0;
@@ -260,7 +261,7 @@ IoResult<RgbImage> read_tiff(const ImageSource& source) {
   } catch (const std::bad_alloc&) {
     return memory_error(source.path, "to read a TIFF picture");
   }
-  note_remarks(source, tiff.get(), layout);
+  note_remarks(source, tiff.get(), layout, *image);
   return upright(source, std::move(*image), field<uint16_t>(tiff.get(), TIFFTAG_ORIENTATION));
 }
 
