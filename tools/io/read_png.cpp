@@ -198,13 +198,6 @@ bool can_hold(size_t file_bytes, uint64_t pixels, uint64_t bits_per_pixel) {
   return pixels * bits_per_pixel / 8 / kMaxExpansion <= file_bytes;
 }
 
-/// Of the header, before libpng is asked for other samples.
-void note_header(const ImageSource& source, const PngReader& reader) {
-  if ((png_get_color_type(reader.png(), reader.info()) & PNG_COLOR_MASK_ALPHA) != 0) {
-    source.note("the alpha channel is dropped");
-  }
-}
-
 void note_remarks(const ImageSource& source, const PngInput& input) {
   if (input.transparency) source.note("transparency (tRNS) is dropped");
   if (input.animation) source.note("only the first picture of the animation is read");
@@ -244,7 +237,9 @@ IoResult<RgbImage> read_png(const ImageSource& source) {
   if (!can_hold(source.bytes.size(), width * height, stored_bits)) {
     return damaged(source, "PNG: the file is too short for its picture's size");
   }
-  note_header(source, reader);
+  if ((png_get_color_type(reader.png(), reader.info()) & PNG_COLOR_MASK_ALPHA) != 0) {
+    source.note("the alpha channel is dropped");
+  }
   auto image = allocate_image(source, width, height, std::clamp(significant_bits(reader), 8, 12));
   if (!image) return image;
 
