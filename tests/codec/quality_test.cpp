@@ -101,10 +101,9 @@ TEST(Quality, PlainViewsKeepTheirColour) {
 }
 
 TEST(Quality, GridsOutsideTheirIntervalAreRefused) {
-  const LightField field = test::textured_light_field({1, 1, 8, 8, 8}, 1, 0);
   EncodeParams grid = extended();
   grid.extended.disparity_grid = 5;
-  EXPECT_FALSE(encode(field, grid).has_value());
+  EXPECT_FALSE(encode(test::textured_light_field({1, 1, 8, 8, 8}, 1, 0), grid).has_value());
 }
 
 EncodeParams main_params() {
