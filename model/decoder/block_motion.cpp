@@ -1,14 +1,6 @@
 #include "decoder/block_motion.hpp"
 
 namespace hmlfc {
-namespace {
-
-// From place `from` to place `to`; both below 2^12.
-int32_t offset(uint32_t from, uint32_t to) {
-  return static_cast<int32_t>(to) - static_cast<int32_t>(from);
-}
-
-}  // namespace
 
 MotionResolver::MotionResolver(const StreamView& stream, int level, ImagePos image, Plane plane)
     : image_(image),
@@ -29,8 +21,8 @@ BlockMotion MotionResolver::resolve(const PaletteEntry& entry, int32_t disparity
     const ImagePos reference = images_[set.reference[i]];
     const MotionVector vector = entry.choice == kChoiceVector
                                     ? explicit_vector(entry.explicit_x, entry.explicit_y, rules_)
-                                    : disparity_vector(d, offset(image_.row, reference.row),
-                                                       offset(image_.col, reference.col), rules_);
+                                    : disparity_vector(d, row_offset(reference, image_),
+                                                       col_offset(reference, image_), rules_);
     motion.references[i] = {reference, subpel_vector(vector, vector_precision_, halved_)};
   }
   return motion;

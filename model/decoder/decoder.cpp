@@ -34,13 +34,9 @@ BlockRect blocks_of(const Rect& rect, uint32_t block_size) {
 // The part `rect` of a region that begins with block (blocks.bx0, blocks.by0).
 SamplePlane crop(const SamplePlane& region, const BlockRect& blocks, const Rect& rect,
                  uint32_t block_size) {
-  const uint32_t x = rect.x - blocks.bx0 * block_size;
-  const uint32_t y = rect.y - blocks.by0 * block_size;
   SamplePlane samples(rect.width, rect.height);
-  for (uint32_t j = 0; j < rect.height; ++j) {
-    const auto row = region.row(y + j).subspan(x, rect.width);
-    std::copy(row.begin(), row.end(), samples.row(j).begin());
-  }
+  copy_samples(region, rect.x - blocks.bx0 * block_size, rect.y - blocks.by0 * block_size,
+               rect.width, rect.height, samples);
   return samples;
 }
 

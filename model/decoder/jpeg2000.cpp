@@ -38,6 +38,15 @@ int resolutions(const SamplePlane& plane) {
   return count;
 }
 
+// What OpenJPEG estimates as the PSNR with `mean_squared_error`, at the peak 2^bits - 1; 0 for
+// lossless.
+float psnr_of(double mean_squared_error, SamplePrecision precision) {
+  if (mean_squared_error == 0) return 0;
+  const double peak = static_cast<double>((1 << precision.bits) - 1);
+  const double psnr = 10 * std::log10(peak * peak / mean_squared_error);
+  return static_cast<float>(std::max(psnr, 1.0));
+}
+
 // Layer after layer at quality `psnr`, 0 for lossless; those before the last are coarser.
 void set_layers(opj_cparameters_t& parameters, unsigned layers, float psnr) {
   constexpr float kFinest = 40;  // of layers before a lossless one
@@ -73,34 +82,6 @@ void set_options(opj_cparameters_t& parameters, const CodestreamOptions& options
   for (int i = 0; i < parameters.res_spec; ++i) {
     parameters.prcw_init[i] = parameters.prch_init[i] = 1 << options.precinct_log2;
   }
-}
-
-// `psnr`: of OpenJPEG's own estimate, with the peak 2^bits - 1; 0 means lossless.
-std::optional<std::vector<uint8_t>> encode_to_distortion(const SamplePlane& plane,
-                                                         SamplePrecision precision, float psnr,
-                                                         const CodestreamOptions& options) {
-  Sink sink;
-  const Stream stream = open_sink(sink);
-  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
-  const Image image = make_image(plane, precision);
-  if (!stream || !codec || !image) return std::nullopt;
-  silence(codec.get());
-
-  opj_cparameters_t parameters;
-  opj_set_default_encoder_parameters(&parameters);
-  parameters.numresolution = resolutions(plane);
-  parameters.irreversible = 0;
-  set_layers(parameters, options.layers, psnr);
-  set_options(parameters, options);
-  // The default comment names the library's version, which would make the bytes depend on it.
-  char no_comment[] = "";
-  parameters.cp_comment = no_comment;
-  if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
-      !opj_start_compress(codec.get(), image.get(), stream.get()) ||
-      !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
-    return std::nullopt;
-  }
-  return std::move(sink.bytes);
 }
 
 // The samples, or nothing, be it for the packets or for want of memory.
@@ -148,16 +129,28 @@ std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, 
 std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
                                                     SamplePrecision precision,
                                                     const CodestreamOptions& options) {
-  return encode_to_distortion(plane, precision, 0, options);
-}
+  Sink sink;
+  const Stream stream = open_sink(sink);
+  const Codec codec(opj_create_compress(OPJ_CODEC_J2K));
+  const Image image = make_image(plane, precision);
+  if (!stream || !codec || !image) return std::nullopt;
+  silence(codec.get());
 
-std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
-                                                          SamplePrecision precision,
-                                                          double mean_squared_error,
-                                                          const CodestreamOptions& options) {
-  const double peak = static_cast<double>((1 << precision.bits) - 1);
-  const double psnr = 10 * std::log10(peak * peak / mean_squared_error);
-  return encode_to_distortion(plane, precision, static_cast<float>(std::max(psnr, 1.0)), options);
+  opj_cparameters_t parameters;
+  opj_set_default_encoder_parameters(&parameters);
+  parameters.numresolution = resolutions(plane);
+  parameters.irreversible = 0;
+  set_layers(parameters, options.layers, psnr_of(options.mean_squared_error, precision));
+  set_options(parameters, options);
+  // The default comment names the library's version, which would make the bytes depend on it.
+  char no_comment[] = "";
+  parameters.cp_comment = no_comment;
+  if (!opj_setup_encoder(codec.get(), &parameters, image.get()) ||
+      !opj_start_compress(codec.get(), image.get(), stream.get()) ||
+      !opj_encode(codec.get(), stream.get()) || !opj_end_compress(codec.get(), stream.get())) {
+    return std::nullopt;
+  }
+  return std::move(sink.bytes);
 }
 
 }  // namespace hmlfc

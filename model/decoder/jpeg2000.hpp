@@ -23,6 +23,8 @@ constexpr SamplePrecision precision_of(Plane plane, int depth) {
 
 /// How a codestream is coded, as far as KEY-2 leaves it free.
 struct CodestreamOptions {
+  /// About what coding passes that are cut off leave (EXT-6); 0: lossless.
+  double mean_squared_error = 0;
   unsigned style = 0;        ///< of code-blocks: bits 0..5 of COD
   unsigned layers = 1;       ///< [1, 20]; each is about 6 dB better than the one before
   unsigned progression = 0;  ///< of COD, [0, 4]
@@ -54,18 +56,10 @@ uint64_t code_blocks_of(std::span<const uint8_t> codestream, uint32_t width, uin
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
                                            uint32_t height);
 
-/// Codes `plane` losslessly with the reversible 5/3 transform. The bytes are the same on every
-/// machine and for any number of threads. Nothing where OpenJPEG fails, which means it is out of
-/// memory.
+/// Codes `plane` with the reversible 5/3 transform. The bytes are the same on every machine and for
+/// any number of threads. Nothing where OpenJPEG fails, which means it is out of memory.
 std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
                                                     SamplePrecision precision,
                                                     const CodestreamOptions& options = {});
-
-/// Codes `plane` with coding passes cut off (EXT-6) where the mean squared error stays about
-/// `mean_squared_error` > 0.
-std::optional<std::vector<uint8_t>> encode_jpeg2000_lossy(const SamplePlane& plane,
-                                                          SamplePrecision precision,
-                                                          double mean_squared_error,
-                                                          const CodestreamOptions& options = {});
 
 }  // namespace hmlfc

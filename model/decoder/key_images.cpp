@@ -43,13 +43,6 @@ Result<TopEntry> read_entry(const StreamView& stream, uint64_t entry) {
 
 uint64_t entry_count(const StreamView& stream) { return stream.geometry.key_count() * kPlaneCount; }
 
-// Loss can move samples out of their interval (EXT-6).
-void clamp_samples(SamplePlane& plane, const SampleRange& range) {
-  for (int16_t& sample : plane.samples) {
-    sample = narrow<int16_t>(clamp(sample, range.lo, range.hi));
-  }
-}
-
 // Whether all samples lie in `range`, which holds 0. The loop has no branch, so that it vectorises.
 bool is_within(std::span<const int16_t> samples, const SampleRange& range) {
   int16_t least = 0;
@@ -62,6 +55,12 @@ bool is_within(std::span<const int16_t> samples, const SampleRange& range) {
 }
 
 }  // namespace
+
+void clamp_samples(SamplePlane& plane, const SampleRange& range) {
+  for (int16_t& sample : plane.samples) {
+    sample = narrow<int16_t>(clamp(sample, range.lo, range.hi));
+  }
+}
 
 Result<uint64_t> codestream_bytes(const StreamView& stream, uint64_t key, Plane plane) {
   return read_entry(stream, key * kPlaneCount + static_cast<uint64_t>(plane)).map(&TopEntry::size);

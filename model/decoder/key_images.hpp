@@ -8,6 +8,7 @@
 
 #include <hmlfc/error.hpp>
 
+#include "arithmetic/widths.hpp"
 #include "decoder/lazy_map.hpp"
 #include "decoder/sample_plane.hpp"
 #include "syntax/stream_view.hpp"
@@ -19,6 +20,9 @@ inline constexpr uint64_t kTopEntryBytes = 16;
 
 /// CRC-32C of samples as KEY-3 writes them.
 uint32_t sample_crc(const SamplePlane& plane);
+
+/// Clamps what loss has moved out of `range` (EXT-6).
+void clamp_samples(SamplePlane& plane, const SampleRange& range);
 
 /// Bytes of the codestream of plane `plane` of key image number `key` (KEY-1). The table has passed
 /// check_top_table. Errors: bus_error; bad_top_entry where the entry has changed since.

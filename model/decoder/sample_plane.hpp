@@ -1,6 +1,7 @@
 // Samples in memory: planes, blocks, and rectangles of blocks.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,14 @@ struct SamplePlane {
   }
   int16_t at(uint32_t x, uint32_t y) const { return samples[size_t{y} * width + x]; }
 };
+
+/// Copies columns x rows samples of `from`, from (x, y) on, to the top left of `to`.
+inline void copy_samples(const SamplePlane& from, uint32_t x, uint32_t y, uint32_t columns,
+                         uint32_t rows, SamplePlane& to) {
+  for (uint32_t j = 0; j < rows; ++j) {
+    std::ranges::copy(from.row(y + j).subspan(x, columns), to.row(j).begin());
+  }
+}
 
 inline constexpr unsigned kMaxBlockSize = 8;
 

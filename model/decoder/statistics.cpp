@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -23,16 +22,12 @@ namespace {
 
 class StatisticsCollector {
  public:
-  explicit StatisticsCollector(const StreamView& stream)
-      : stream_(stream), field_(std::make_unique<MotionField>()) {}
+  explicit StatisticsCollector(const StreamView& stream) : stream_(stream), entries_(stream) {}
 
   Result<StreamStatistics> run() {
     for (int level = stream_.geometry.top(); level >= 0; --level) {
-      const LevelShape& shape = stream_.geometry.level(level);
-      for (uint32_t row = 0; row < shape.rows; ++row) {
-        for (uint32_t col = 0; col < shape.cols; ++col) {
-          if (auto ok = add_image(level, {row, col}); !ok) return tl::unexpected(ok.error());
-        }
+      for (const ImagePos image : stream_.geometry.level(level).all_images()) {
+        if (auto ok = add_image(level, image); !ok) return tl::unexpected(ok.error());
       }
     }
     finish();
@@ -196,29 +191,12 @@ class StatisticsCollector {
       BlockSite at = site;
       at.bx += block_column(k);
       at.by += block_row(k);
-      const auto moves = has_motion(at);
-      if (!moves) return tl::unexpected(moves.error());
-      mask |= uint64_t{*moves} << k;
+      const auto entry = entries_.find(at);
+      if (!entry) return tl::unexpected(entry.error());
+      if (*entry == nullptr) return fail(ErrorCode::kBadMode, Section::kTile, 0);
+      mask |= uint64_t{(*entry)->has_motion()} << k;
     }
     return mask;
-  }
-
-  Result<bool> has_motion(const BlockSite& site) {
-    const MotionPlace at = motion_place(stream_, site);
-    const unsigned log2 = stream_.header.motion_tile_log2;
-    const MotionTilePlace place{
-        site.level, {site.image_row, site.image_col}, at.motion_plane, at.x >> log2, at.y >> log2};
-    if (!(place == field_place_)) {
-      if (auto ok = read_motion_field(stream_, place, *field_); !ok) {
-        return tl::unexpected(ok.error());
-      }
-      field_place_ = place;
-    }
-    const uint32_t in_tile = (1u << log2) - 1;
-    const PaletteEntry* entry = field_->entry((at.x & in_tile) >> field_->head.block_log2,
-                                              (at.y & in_tile) >> field_->head.block_log2);
-    if (entry == nullptr) return fail(ErrorCode::kBadMode, Section::kTile, 0);
-    return entry->has_motion();
   }
 
   void count_states(uint64_t motion, uint64_t residual, const TileContext& context) {
@@ -248,8 +226,7 @@ class StatisticsCollector {
   uint64_t records_ = 0;
   uint64_t motion_bits_ = 0;
   uint64_t residual_bits_ = 0;
-  std::unique_ptr<MotionField> field_;  // the motion tile read last
-  MotionTilePlace field_place_{-1, {}, 0, 0, 0};
+  MotionEntries entries_;
 };
 
 // All of them are read: at once, where the source is partial.

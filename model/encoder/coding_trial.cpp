@@ -112,12 +112,10 @@ constexpr double kTileBits = 2;
 std::vector<ImagePos> sampled_images(const Geometry& geometry, size_t count) {
   const LevelShape& level = geometry.level(0);
   std::vector<ImagePos> last;
-  for (uint32_t r = 0; r < level.rows; ++r) {
-    for (uint32_t c = 0; c < level.cols; ++c) {
-      const ImagePos group = geometry.group_of(0, {r, c});
-      const bool among = group.row + 2 >= level.group_rows() && group.col + 2 >= level.group_cols();
-      if (among && !geometry.is_reference(0, {r, c})) last.push_back({r, c});
-    }
+  for (const ImagePos at : level.all_images()) {
+    const ImagePos group = geometry.group_of(0, at);
+    const bool among = group.row + 2 >= level.group_rows() && group.col + 2 >= level.group_cols();
+    if (among && !geometry.is_reference(0, at)) last.push_back(at);
   }
   const auto distance = [&](ImagePos at) { return distance_from_references(geometry, at); };
   std::ranges::stable_sort(last, {}, distance);
@@ -162,14 +160,17 @@ class Trial {
     double bits = 0;
     double disparities = 0;
     double described = 0;  // groups with disparities
-    for_each_coded([&](ImagePos at, const ImageCode& image) {
-      if (!geometry_.is_reference(0, at)) {
-        for (const PlaneCode& plane : image) bits += bits_of(plane);
-      } else if (!image[kMotionPlane].record_sizes.empty()) {
-        disparities += bits_of(image[kMotionPlane]);
-        ++described;
-      }
-    });
+    for (const ImagePos at : geometry_.level(0).all_images()) {
+      const auto number = static_cast<size_t>(geometry_.image_number(0, at));
+      coded_.records.visit(number, [&](const ImageCode& image) {
+        if (!geometry_.is_reference(0, at)) {
+          for (const PlaneCode& plane : image) bits += bits_of(plane);
+        } else if (!image[kMotionPlane].record_sizes.empty()) {
+          disparities += bits_of(image[kMotionPlane]);
+          ++described;
+        }
+      });
+    }
     const auto squares = static_cast<double>(error_.rgb_squares);
     const auto key_squares = static_cast<double>(key_error_.rgb_squares);
     return {scale * (extrapolated(squares, predicted_, images - groups) +
@@ -186,17 +187,6 @@ class Trial {
       if (size > 0) bits += 8.0 * size + kRecordBits;
     }
     return bits + kTileBits * static_cast<double>(code.record_sizes.size());
-  }
-
-  // Calls body(image, its records).
-  template <typename Body>
-  void for_each_coded(const Body& body) const {
-    for (uint32_t r = 0; r < header_.rows; ++r) {
-      for (uint32_t c = 0; c < header_.cols; ++c) {
-        const auto number = static_cast<size_t>(geometry_.image_number(0, {r, c}));
-        coded_.records.visit(number, [&](const ImageCode& image) { body(ImagePos{r, c}, image); });
-      }
-    }
   }
 
   const ViewProvider& part_;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,6 +19,13 @@
 #include "syntax/geometry.hpp"
 
 namespace hmlfc {
+
+/// A plane as it is coded, in whole blocks.
+struct EncodedPlane {
+  PlaneCode code;
+  SamplePlane samples;    ///< what a decoder makes of it (DEC-3)
+  SamplePlane residuals;  ///< TIL-10, 0 where there is none; set for reference images
+};
 
 /// An image as it is coded.
 struct EncodedImage {
@@ -53,8 +61,6 @@ class LevelImages {
 
   /// What is worked on: images to code (STR-4), and images that are looked at.
   const LevelPart& part() const { return part_; }
-  const std::vector<ImagePos>& references() const { return part_.references; }
-  const std::vector<ImagePos>& predictive() const { return part_.predictive; }
 
   /// All predictive images of the group of `reference`, also those that are not to be coded.
   std::vector<ImagePos> members(ImagePos reference) const {
@@ -92,7 +98,7 @@ class LevelDecisions {
  public:
   virtual ~LevelDecisions() = default;
 
-  /// `keys` are the originals of the images that references() names, in this order. What they
+  /// `keys` are the originals of the images that part().references names, in this order. What they
   /// become is coded in their place, except for those that are known (LevelPart).
   virtual void refine_keys(std::vector<ImagePlanes>& keys) = 0;
 
@@ -114,23 +120,19 @@ class LevelDecisions {
 };
 
 /// The decisions of one encoding, for fixed parameters.
-class DecisionStrategy {
- public:
-  virtual ~DecisionStrategy() = default;
-
-  /// The mean squared error that plane `plane` of the key images may have; 0: none, lossless.
-  virtual double key_error(Plane plane) const = 0;
+struct DecisionStrategy {
+  /// The mean squared error that each plane of the key images may have; 0: none, lossless.
+  std::array<double, kPlaneCount> key_errors{};
 
   /// Begins a level; `images` outlives the result.
-  virtual std::unique_ptr<LevelDecisions> begin_level(const LevelImages& images) const = 0;
+  std::function<std::unique_ptr<LevelDecisions>(const LevelImages& images)> begin_level;
 };
 
 /// Thresholds on energies and full search (the paper): main_decisions.cpp.
-std::unique_ptr<DecisionStrategy> main_decisions(const EncodeParams& params);
+DecisionStrategy main_decisions(const EncodeParams& params);
 
 /// Rate and distortion, with all tools of profile extended: extended_decisions.cpp.
-std::unique_ptr<DecisionStrategy> extended_decisions(const StreamHeader& header,
-                                                     const EncodeParams& params,
-                                                     const LightFieldProbe& probe);
+DecisionStrategy extended_decisions(const StreamHeader& header, const EncodeParams& params,
+                                    const LightFieldProbe& probe);
 
 }  // namespace hmlfc

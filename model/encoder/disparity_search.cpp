@@ -32,12 +32,16 @@ class RowCosts {
   RowCosts(const DisparitySearch& search, const DisparityRange& range, int32_t step, uint32_t bx0,
            uint32_t bx1)
       : search_(search),
+        header_(search.header),
+        rules_(vector_rules(header_)),
+        bound_(reference_bound(Plane::kY, header_.depth, search.keyed)),
+        grid_log2_(header_.disparity_grid_log2),
         range_(range),
         step_(step),
         estimate_(search.lambda),
-        squares_apart_(search.grid_log2 > 2 && search.targets.size() >= kManyTargets ? 2 : 1),
-        x_(bx0 << search.grid_log2),
-        width_(std::min(bx1 << search.grid_log2, search.width) - x_),
+        squares_apart_(grid_log2_ > 2 && search.targets.size() >= kManyTargets ? 2 : 1),
+        x_(bx0 << grid_log2_),
+        width_(std::min(bx1 << grid_log2_, header_.width) - x_),
         blocks_x_(bx1 - bx0),
         predicted_(size_t{width_} * kSquare),
         squares_(ceil_div(width_, kSquare)) {}
@@ -61,8 +65,8 @@ class RowCosts {
   // the odd ones the second, unless there are few targets.
   void run(uint32_t by, size_t apart) {
     costs_.assign(candidates() * blocks_x_, 0);
-    const uint32_t y0 = by << search_.grid_log2;
-    const uint32_t y1 = std::min(y0 + (1u << search_.grid_log2), search_.height);
+    const uint32_t y0 = by << grid_log2_;
+    const uint32_t y1 = std::min(y0 + (1u << grid_log2_), header_.height);
     for (size_t k = 0; k < candidates(); ++k) {
       const int32_t d = range_.lo + static_cast<int32_t>(k) * step_;
       for (size_t i = apart / 2; i < search_.targets.size(); i += apart) {
@@ -83,22 +87,24 @@ class RowCosts {
     std::array<DisplacedReference, 2> references{moved(target.first, d, y)};
     const bool two = target.second.plane != nullptr;
     if (two) references[1] = moved(target.second, d, y);
-    interpolate_rect(references, two ? 2 : 1, search_.bound,
-                     {predicted_.data(), width_, width_, y1 - y});
+    interpolate_rect(references, two ? 2 : 1, bound_, {predicted_.data(), width_, width_, y1 - y});
     square_errors({target.plane->row(y).data() + x_, target.plane->width, width_, width_, y1 - y},
                   predicted_.data(), squares_.data());
-    const uint32_t shift = search_.grid_log2 - 2;
+    const uint32_t shift = grid_log2_ - 2;
     for (size_t i = 0; i < squares_.size(); ++i) costs[i >> shift] += estimate_(squares_[i]);
   }
 
   DisplacedReference moved(const SearchReference& reference, int32_t d, uint32_t y) const {
-    const MotionVector v =
-        disparity_vector(d, reference.row_offset, reference.col_offset, search_.rules);
+    const MotionVector v = disparity_vector(d, reference.row_offset, reference.col_offset, rules_);
     return displaced(*reference.plane, static_cast<int32_t>(x_), static_cast<int32_t>(y),
-                     subpel_vector(v, search_.vector_precision, false));
+                     subpel_vector(v, header_.vector_precision, false));
   }
 
   const DisparitySearch& search_;
+  const StreamHeader& header_;
+  VectorRules rules_;
+  int32_t bound_;
+  unsigned grid_log2_;
   DisparityRange range_;
   int32_t step_;
   ResidualEstimate estimate_;
@@ -214,11 +220,12 @@ void search_tile(const DisparitySearch& search, const DisparityRange& range, con
 }  // namespace
 
 CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit) {
-  const int32_t step = std::max(1, (1 << search.disparity_precision) / 4);
+  const StreamHeader& header = search.header;
+  const int32_t step = std::max(1, (1 << header.disparity_precision) / 4);
   const DisparityRange all{-limit, limit};
-  const uint32_t blocks_x = ceil_div(search.width, 1u << search.grid_log2);
+  const uint32_t blocks_x = ceil_div(header.width, 1u << header.disparity_grid_log2);
   const size_t candidates = RowCosts(search, all, step, 0, blocks_x).candidates();
-  const uint32_t blocks_y = ceil_div(search.height, 1u << search.grid_log2);
+  const uint32_t blocks_y = ceil_div(header.height, 1u << header.disparity_grid_log2);
   const uint32_t apart =
       blocks_y < kFewRows ? 1 : std::min(search.rows_apart, 2 * blocks_y / kFewRows);
   const uint32_t looked_at = blocks_y / apart;
@@ -252,24 +259,13 @@ CoarseResult coarse_disparities(const DisparitySearch& search, int32_t limit) {
   return result;
 }
 
-DisparitySearch disparity_search(const StreamHeader& header) {
-  DisparitySearch search;
-  search.width = header.width;
-  search.height = header.height;
-  search.rules = vector_rules(header);
-  search.vector_precision = header.vector_precision;
-  search.disparity_precision = header.disparity_precision;
-  search.grid_log2 = header.disparity_grid_log2;
-  search.tile_log2 = header.motion_tile_log2;
-  return search;
-}
-
 DisparityGrid search_disparities(const DisparitySearch& search, const DisparityRange& range) {
+  const StreamHeader& header = search.header;
   DisparityGrid grid;
-  grid.blocks_x = ceil_div(search.width, 1u << search.grid_log2);
-  grid.blocks_y = ceil_div(search.height, 1u << search.grid_log2);
+  grid.blocks_x = ceil_div(header.width, 1u << header.disparity_grid_log2);
+  grid.blocks_y = ceil_div(header.height, 1u << header.disparity_grid_log2);
   grid.values.resize(size_t{grid.blocks_x} * grid.blocks_y);
-  const uint32_t per_tile = 1u << (search.tile_log2 - search.grid_log2);
+  const uint32_t per_tile = 1u << (header.motion_tile_log2 - header.disparity_grid_log2);
   const uint32_t tiles_x = ceil_div(grid.blocks_x, per_tile);
   parallel_for(size_t{tiles_x} * ceil_div(grid.blocks_y, per_tile), [&](size_t i) {
     const auto tx = static_cast<uint32_t>(i % tiles_x);

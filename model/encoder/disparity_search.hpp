@@ -28,18 +28,14 @@ struct SearchTarget {
   SearchReference second;
 };
 
-/// A search on all images of a reference group.
+/// A search on all images of a reference group, in plane Y and by the rules of `header`.
 struct DisparitySearch {
+  explicit DisparitySearch(const StreamHeader& stream_header) : header(stream_header) {}
+
+  const StreamHeader& header;
   std::vector<SearchTarget> targets;
   size_t images = 0;  ///< whose costs the targets stand for, at least their number
-  uint32_t width = 0;
-  uint32_t height = 0;
-  VectorRules rules;
-  unsigned vector_precision = 0;
-  unsigned disparity_precision = 0;
-  unsigned grid_log2 = 3;
-  unsigned tile_log2 = 6;
-  int32_t bound = 255;  ///< the largest magnitude in the references
+  bool keyed = true;  ///< the references are key images
   Lambda lambda;
   uint32_t rows_apart = 2;  ///< a coarse search looks at one row of blocks in so many, if not few
 };
@@ -49,9 +45,6 @@ struct DisparityRange {
   int32_t lo = 0;
   int32_t hi = 0;
 };
-
-/// A search in plane Y by the rules of `header`: all but targets, images and lambda.
-DisparitySearch disparity_search(const StreamHeader& header);
 
 /// The range in which nearly all blocks find their best match, by a coarse search within [-limit,
 /// limit] on a part of the rows; and the squared error that is left, to compare rules.

@@ -54,30 +54,22 @@ int usable_threads(int asked) {
 }  // namespace
 
 struct DividedEncoder::State {
-  State(const ViewProvider& all_views, CodeStorage& code_storage)
-      : source(all_views), storage(code_storage) {}
-
   // The numbers of the images of part `part`, and of the planes of its key images.
   template <class Image, class KeyPlane>
   void for_each_owned(size_t part, const Image& image, const KeyPlane& key_plane) const {
-    const ViewRange range = views_of_part(grid, part);
+    const ImageRange range = views_of_part(grid, part);
     const Geometry& geometry = session->geometry();
     for (int level = 0; level <= geometry.top(); ++level) {
-      const LevelShape& shape = geometry.level(level);
-      for (uint32_t row = 0; row < shape.rows; ++row) {
-        for (uint32_t col = 0; col < shape.cols; ++col) {
-          if (!owns(range, session->header(), level, {row, col})) continue;
-          image(static_cast<size_t>(geometry.image_number(level, {row, col})));
-          if (!geometry.is_key(level, {row, col})) continue;
-          const auto key = static_cast<size_t>(geometry.key_number(level, {row, col}));
-          for (size_t p = 0; p < kPlaneCount; ++p) key_plane(key * kPlaneCount + p);
-        }
+      for (const ImagePos at : geometry.level(level).all_images()) {
+        if (!owns(range, geometry, level, at)) continue;
+        image(static_cast<size_t>(geometry.image_number(level, at)));
+        if (!geometry.is_key(level, at)) continue;
+        const auto key = static_cast<size_t>(geometry.key_number(level, at));
+        for (size_t p = 0; p < kPlaneCount; ++p) key_plane(key * kPlaneCount + p);
       }
     }
   }
 
-  const ViewProvider& source;
-  CodeStorage& storage;
   SettledCoding settled;
   PartGrid grid;
   int threads = 1;
@@ -100,7 +92,7 @@ tl::expected<DividedEncoder, EncodeError> DividedEncoder::create(const ViewProvi
     return tl::unexpected(EncodeError{std::move(message)});
   };
   if (const char* problem = problem_of(views.shape(), params)) return refused(problem);
-  auto state = std::make_unique<State>(views, storage);
+  auto state = std::make_unique<State>();
   const uint64_t memory = division.memory.value_or(CachedViews::kUnlimited);
   state->threads = usable_threads(params.threads);
   try {
@@ -150,8 +142,8 @@ tl::expected<void, EncodeError> DividedEncoder::encode_part(size_t part, const P
   };
   try {
     run_on_threads(state.threads, [&] {
-      const EncodePart images = part_of_views(session.header(), session.geometry(),
-                                              views_of_part(state.grid, part), known);
+      const EncodePart images =
+          part_of_views(session.geometry(), views_of_part(state.grid, part), known);
       ProgressCounter counter(progress, session.geometry().image_count(), state.images_done);
       session.encode_part(params(), images, {[&] { counter.add(); }, {}}, state.coded);
       state.images_done = counter.done();

@@ -18,21 +18,14 @@ using Encoded = tl::expected<EncodedStream, EncodeError>;
 
 Encoded refused(const char* message) { return tl::unexpected(EncodeError{message}); }
 
-EncodedStream encode_once(EncodeSession& session, const EncodeParams& params, bool last,
-                          const Progress& progress) {
-  ProgressCounter counter(progress, session.geometry().image_count());
-  const CodedImages images = session.encode(params, last, {[&] { counter.add(); }, {}});
-  return {session.stream(images), images.error, params};
-}
-
-// Meets a PSNR by `trim`, from which the key images of the result have their quality.
-EncodedStream encode_trimmed(EncodeSession& session, EncodeParams params, QualityTrim trim,
-                             const Progress& progress) {
+// With `trim`, the result meets a PSNR, and its key images have their quality from there.
+EncodedStream encode_once(EncodeSession& session, EncodeParams params, bool last,
+                          const Progress& progress, QualityTrim* trim = nullptr) {
   std::optional<CodedImages> images;
   while (!images) {
-    params.extended.quality = trim.key_quality();
+    if (trim != nullptr) params.extended.quality = trim->key_quality();
     ProgressCounter counter(progress, session.geometry().image_count());
-    images = session.encode_trimmed(params, trim, {[&] { counter.add(); }, {}});
+    images = session.encode(params, last, {[&] { counter.add(); }, {}}, trim);
   }
   return {session.stream(*images), images->error, params};
 }
@@ -87,9 +80,9 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
     const LevelShape& views = session.geometry().level(0);
     const bool predicts = views.ref_rows > 1 || views.ref_cols > 1;
     if (goal.psnr() != nullptr && predicts && from.profile == Profile::kExtended) {
-      const QualityTrim trim(from.extended.quality, shape, goal.psnr()->db, goal.tolerance_db(),
-                             settled.db_per_quality);
-      EncodedStream trimmed = encode_trimmed(session, from, trim, progress);
+      QualityTrim trim(from.extended.quality, shape, goal.psnr()->db, goal.tolerance_db(),
+                       settled.db_per_quality);
+      EncodedStream trimmed = encode_once(session, from, false, progress, &trim);
       if (goal.is_near(goal.surplus_db(trimmed, shape))) return trimmed;
       from = trimmed.params;
     }

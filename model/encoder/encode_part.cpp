@@ -3,41 +3,25 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
-#include <tuple>
 
 #include "encoder/motion_prediction.hpp"
 
 namespace hmlfc {
 namespace {
 
-struct RowByRow {
-  bool operator()(ImagePos a, ImagePos b) const {
-    return std::tuple(a.row, a.col) < std::tuple(b.row, b.col);
-  }
-};
-
-using Images = std::set<ImagePos, RowByRow>;
+using Images = std::set<ImagePos>;
 
 std::vector<ImagePos> listed(const Images& images) { return {images.begin(), images.end()}; }
-
-std::vector<ImagePos> all_images(const LevelShape& shape) {
-  std::vector<ImagePos> images;
-  for (uint32_t r = 0; r < shape.rows; ++r) {
-    for (uint32_t c = 0; c < shape.cols; ++c) images.push_back({r, c});
-  }
-  return images;
-}
 
 // Finds, from the views up, what coding a range of views depends on.
 class PartFinder {
  public:
-  PartFinder(const StreamHeader& header, const Geometry& geometry, const ViewRange& views,
+  PartFinder(const Geometry& geometry, const ImageRange& views,
              const std::function<bool(int, ImagePos)>& known)
-      : header_(header),
-        geometry_(geometry),
+      : geometry_(geometry),
         views_(views),
         known_(known),
-        motion_(header.has(Feature::kMotionTiles)),
+        motion_(!geometry.motion_planes().empty()),
         needed_(static_cast<size_t>(geometry.top()) + 1) {}
 
   EncodePart run() {
@@ -71,7 +55,7 @@ class PartFinder {
         groups.insert(own);
         const ReferenceImages places = reference_images(geometry_, level, at);
         if (motion_) references.insert(places.begin(), places.end());
-      } else if (owns(views_, header_, level, at) && !members_of(geometry_, level, at).empty()) {
+      } else if (owns(views_, geometry_, level, at) && !members_of(geometry_, level, at).empty()) {
         groups.insert(at);
       }
     }
@@ -87,20 +71,11 @@ class PartFinder {
   }
 
   void add_owned(int level) {
-    for (const ImagePos at : descend_from(level)) {
-      if (owns(views_, header_, level, at)) needed_[static_cast<size_t>(level)].insert(at);
-    }
-  }
-
-  // The images of `level` with views in the range below them.
-  std::vector<ImagePos> descend_from(int level) const {
     const ImagePos first = geometry_.ancestor({views_.row0, views_.col0}, 0, level);
     const ImagePos last = geometry_.ancestor({views_.row1 - 1, views_.col1 - 1}, 0, level);
-    std::vector<ImagePos> images;
-    for (uint32_t r = first.row; r <= last.row; ++r) {
-      for (uint32_t c = first.col; c <= last.col; ++c) images.push_back({r, c});
+    for (const ImagePos at : ImageRange{first.row, last.row + 1, first.col, last.col + 1}) {
+      if (owns(views_, geometry_, level, at)) needed_[static_cast<size_t>(level)].insert(at);
     }
-    return images;
   }
 
   void add_parents(int level, const std::vector<ImagePos>& images) {
@@ -132,64 +107,29 @@ class PartFinder {
 
   // The images of `level` - 1, in [0, top - 1], that `images` of `level` are the means of.
   Images children(const Images& images, int level) const {
-    const LevelShape& below = geometry_.level(level - 1);
     Images found;
     for (const ImagePos at : images) {
-      const uint32_t last_row = std::min((at.row + 1) * header_.cluster_rows, below.rows);
-      const uint32_t last_col = std::min((at.col + 1) * header_.cluster_cols, below.cols);
-      for (uint32_t r = at.row * header_.cluster_rows; r < last_row; ++r) {
-        for (uint32_t c = at.col * header_.cluster_cols; c < last_col; ++c) found.insert({r, c});
-      }
+      for (const ImagePos child : geometry_.descendants(at, level, level - 1)) found.insert(child);
     }
     return found;
   }
 
-  const StreamHeader& header_;
   const Geometry& geometry_;
-  ViewRange views_;
+  ImageRange views_;
   const std::function<bool(int, ImagePos)>& known_;
   bool motion_;
   std::vector<Images> needed_;
 };
 
-// Members of the whole level, predictive or not.
-LevelPart whole_level(const Geometry& geometry, int level) {
-  LevelPart part;
-  for (const ImagePos at : all_images(geometry.level(level))) {
-    (geometry.is_reference(level, at) ? part.references : part.predictive).push_back(at);
-  }
-  part.known.resize(part.references.size());
-  part.predicts = !part.predictive.empty();
-  for (const ImagePos at : part.references) {
-    if (!members_of(geometry, level, at).empty()) part.groups.push_back(at);
-  }
-  if (level > 0) part.originals = all_images(geometry.level(level));
-  return part;
-}
-
 }  // namespace
 
-bool owns(const ViewRange& views, const StreamHeader& header, int level, ImagePos at) {
-  uint64_t row = at.row;
-  uint64_t col = at.col;
-  for (int l = 0; l < level; ++l) {
-    row *= header.cluster_rows;
-    col *= header.cluster_cols;
-  }
+bool owns(const ImageRange& views, const Geometry& geometry, int level, ImagePos at) {
+  const auto [row, col] = *geometry.descendants(at, level, 0).begin();
   return row >= views.row0 && row < views.row1 && col >= views.col0 && col < views.col1;
-}
-
-EncodePart whole_part(const Geometry& geometry) {
-  EncodePart part;
-  for (int level = 0; level <= geometry.top(); ++level) {
-    part.levels.push_back(whole_level(geometry, level));
-  }
-  return part;
 }
 
 EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& sample) {
   EncodePart part;
-  part.trial = true;
   LevelPart& level = part.levels.emplace_back();
   level.predictive = sample;
   for (const ImagePos at : sample) {
@@ -209,25 +149,15 @@ EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& s
   return part;
 }
 
-EncodePart part_of_views(const StreamHeader& header, const Geometry& geometry,
-                         const ViewRange& views,
+EncodePart part_of_views(const Geometry& geometry, const ImageRange& views,
                          const std::function<bool(int level, ImagePos at)>& known) {
-  return PartFinder(header, geometry, views, known).run();
+  return PartFinder(geometry, views, known).run();
 }
 
 std::vector<ImagePos> members_of(const Geometry& geometry, int level, ImagePos reference) {
-  const LevelShape& shape = geometry.level(level);
-  const ImagePos group = geometry.group_of(level, reference);
-  std::vector<uint32_t> rows;
-  for (uint32_t r = 0; r < shape.rows; ++r) {
-    if (geometry.group_of(level, {r, reference.col}).row == group.row) rows.push_back(r);
-  }
   std::vector<ImagePos> members;
-  for (const uint32_t r : rows) {
-    for (uint32_t c = 0; c < shape.cols; ++c) {
-      const ImagePos at{r, c};
-      if (at != reference && geometry.group_of(level, at).col == group.col) members.push_back(at);
-    }
+  for (const ImagePos at : geometry.group_images(level, reference)) {
+    if (at != reference) members.push_back(at);
   }
   return members;
 }

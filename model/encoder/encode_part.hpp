@@ -22,26 +22,15 @@ struct LevelPart {
   bool predicts = false;             ///< the level has predictive images, here or in other parts
 };
 
-/// Views [row0, row1) x [col0, col1).
-struct ViewRange {
-  uint32_t row0 = 0;
-  uint32_t row1 = 0;
-  uint32_t col0 = 0;
-  uint32_t col1 = 0;
-};
-
 struct EncodePart {
-  std::vector<LevelPart> levels;   ///< from level 0 on
-  std::optional<ViewRange> views;  ///< the part that it is; none: the whole, or a trial
-  bool trial = false;              ///< gives no stream, and its error is not measured
+  std::vector<LevelPart> levels;  ///< from level 0 on
+  /// The views that it is. None: a trial, which gives no stream, and whose error is not measured.
+  std::optional<ImageRange> views;
 };
 
 /// Whether image `at` of level `level` belongs to `views`: the first view below it does. Each image
 /// belongs to one of the ranges that make up a grid.
-bool owns(const ViewRange& views, const StreamHeader& header, int level, ImagePos at);
-
-/// Returns the part that is the whole.
-EncodePart whole_part(const Geometry& geometry);
+bool owns(const ImageRange& views, const Geometry& geometry, int level, ImagePos at);
 
 /// Takes of level 0 only the images `sample`, which are predictive, and what they refer to; one
 /// reference image if there are none. The tree has one level.
@@ -49,8 +38,7 @@ EncodePart sampled_part(const Geometry& geometry, const std::vector<ImagePos>& s
 
 /// The images that belong to `views`, and all that coding them depends on. `known`: whether a key
 /// image of a level has been coded before.
-EncodePart part_of_views(const StreamHeader& header, const Geometry& geometry,
-                         const ViewRange& views,
+EncodePart part_of_views(const Geometry& geometry, const ImageRange& views,
                          const std::function<bool(int level, ImagePos at)>& known);
 
 /// All predictive images of the group of `reference`, row by row.

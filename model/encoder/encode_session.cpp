@@ -1,12 +1,10 @@
 #include "encoder/encode_session.hpp"
 
-#include <algorithm>
 #include <mutex>
 #include <new>
 #include <span>
 #include <utility>
 
-#include "arithmetic/rounding.hpp"
 #include "arithmetic/widths.hpp"
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
@@ -68,13 +66,13 @@ class LevelWalk {
 
   // Whether the code of image `at` is the part's own, and not coded to refer to it alone.
   bool owned(ImagePos at) const {
-    return !walk_.part.views || owns(*walk_.part.views, walk_.header, images_.level(), at);
+    return !walk_.part.views || owns(*walk_.part.views, geometry_, images_.level(), at);
   }
 
   // False: all begins again. `of_references`: squared errors.
   bool encode_trimmed(QualityTrim& trim, std::span<const uint64_t> of_references) {
     if (!trim.go_on(of_references)) return false;
-    for (const auto& round : QualityTrim::rounds(geometry_, images_.predictive())) {
+    for (const auto& round : QualityTrim::rounds(geometry_, images_.part().predictive)) {
       decisions_->change_quality(trim.quality());
       if (!trim.go_on(encode_predictive(round))) return false;
     }
@@ -93,15 +91,15 @@ class LevelWalk {
   }
 
   void refine_keys() {
-    const auto& references = images_.references();
+    const auto& references = images_.part().references;
     keys_.resize(references.size());
     parallel_for(keys_.size(), [&](size_t i) { keys_[i] = images_.original(references[i]); });
     decisions_->refine_keys(keys_);
   }
 
-  // Codes the i-th of references(). Returns its squared errors, likewise.
+  // Codes the i-th of the part's references. Returns its squared errors, likewise.
   uint64_t encode_reference(size_t i) {
-    const ImagePos at = images_.references()[i];
+    const ImagePos at = images_.part().references[i];
     if (!images_.shape().keyed) {
       return finish(at, decisions_->encode_reference(at, images_.original(at)));
     }
@@ -116,31 +114,25 @@ class LevelWalk {
   void encode_key(ImagePos at, Plane plane, SamplePlane& samples) {
     const PlaneShape& shape = geometry_.plane(plane);
     const int depth = walk_.header.depth;
+    const SampleRange range = sample_range(plane, depth);
     const uint64_t key = geometry_.key_number(images_.level(), at);
     const size_t entry = static_cast<size_t>(key) * kPlaneCount + static_cast<size_t>(plane);
     CodedKeys& keys = walk_.coded.keys;
-    const double error = walk_.strategy.key_error(plane);
+    const double error = walk_.strategy.key_errors[static_cast<size_t>(plane)];
     const bool known = keys.has(entry);  // by an encoding without loss, or by a part before
     SamplePlane inside = cropped(samples, shape.width, shape.height);
     if (!known) {
       CodedPlane coded = code_key_plane(inside, precision_of(plane, depth), error);
-      inside = clamped(std::move(coded.decoded), plane);
+      inside = std::move(coded.decoded);
+      clamp_samples(inside, range);
       keys.set(entry, std::move(coded.codestream), sample_crc(inside));
     } else if (error > 0) {
       const auto decoded = decode_jpeg2000(keys.codestream(entry), shape.width, shape.height);
       if (!decoded) throw std::bad_alloc();
-      inside = clamped(*decoded, plane);
+      inside = *decoded;
+      clamp_samples(inside, range);
     }
     samples = in_whole_blocks(inside, shape, geometry_.block_size());
-  }
-
-  // As a decoder does with a lossy plane (EXT-6).
-  SamplePlane clamped(SamplePlane samples, Plane plane) const {
-    const SampleRange range = sample_range(plane, walk_.header.depth);
-    for (int16_t& sample : samples.samples) {
-      sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
-    }
-    return samples;
   }
 
   uint64_t finish(ImagePos at, EncodedImage image) {
@@ -150,7 +142,7 @@ class LevelWalk {
     if (walk_.observer.reconstructed) walk_.observer.reconstructed(level, at, image.samples);
     if (level > 0) {
       walk_.tree.at(geometry_, level, at) = std::move(image.samples);
-    } else if (!walk_.part.trial && owned(at)) {
+    } else if (walk_.part.views && owned(at)) {
       error = view_error(walk_.views, at, image.samples, walk_.header.chroma_format);
       const std::scoped_lock lock(walk_.error_mutex);
       walk_.coded.error.add(error);
@@ -163,7 +155,7 @@ class LevelWalk {
   const Geometry& geometry_;
   LevelImages images_;
   std::unique_ptr<LevelDecisions> decisions_;
-  std::vector<ImagePlanes> keys_;  // refined, as references() names them; none: as they are
+  std::vector<ImagePlanes> keys_;  // refined, of the part's references; none: as they are
 };
 
 }  // namespace
@@ -194,45 +186,31 @@ CodedImages EncodeSession::no_images() const {
 
 RkvTree EncodeSession::originals(bool last) {
   if (!whole_) {
-    whole_ = whole_part(geometry_);
-    originals_ = tree_of(*whole_);
+    whole_ = part_of_views(geometry_, geometry_.level(0).all_images(),
+                           [](int, ImagePos) { return false; });
+    originals_ = build_rkv_tree(views_, geometry_, *whole_);
   }
   return last ? std::move(originals_) : originals_;
 }
 
-CodedImages EncodeSession::encode(const EncodeParams& params, bool last,
-                                  const EncodeObserver& observer) {
+std::optional<CodedImages> EncodeSession::encode(const EncodeParams& params, bool last,
+                                                 const EncodeObserver& observer,
+                                                 QualityTrim* trim) {
   RkvTree tree = originals(last);
   CodedImages coded = no_images();
   coded.keys = lossless_keys_;
-  walk(params, *whole_, tree, observer, coded);
-  const auto strategy = strategy_of(params);
-  const bool lossless = std::all_of(kPlanes.begin(), kPlanes.end(),
-                                    [&](Plane plane) { return strategy->key_error(plane) == 0; });
-  if (lossless && !last) lossless_keys_ = coded.keys;
-  return coded;
-}
-
-std::optional<CodedImages> EncodeSession::encode_trimmed(const EncodeParams& params,
-                                                         QualityTrim& trim,
-                                                         const EncodeObserver& observer) {
-  RkvTree tree = originals(false);
-  CodedImages coded = no_images();
-  if (!walk(params, *whole_, tree, observer, coded, &trim)) return std::nullopt;
+  if (!walk(params, *whole_, tree, observer, coded, trim)) return std::nullopt;
+  if (!header_.has(Feature::kLossyKeys) && !last) lossless_keys_ = coded.keys;
   return coded;
 }
 
 void EncodeSession::encode_part(const EncodeParams& params, const EncodePart& part,
                                 const EncodeObserver& observer, CodedImages& coded) const {
-  RkvTree tree = tree_of(part);
+  RkvTree tree = build_rkv_tree(views_, geometry_, part);
   walk(params, part, tree, observer, coded);
 }
 
-RkvTree EncodeSession::tree_of(const EncodePart& part) const {
-  return build_rkv_tree(views_, geometry_, header_.cluster_rows, header_.cluster_cols, part);
-}
-
-std::unique_ptr<DecisionStrategy> EncodeSession::strategy_of(const EncodeParams& params) const {
+DecisionStrategy EncodeSession::strategy_of(const EncodeParams& params) const {
   return params.profile == Profile::kMain ? main_decisions(params)
                                           : extended_decisions(header_, params, probe_);
 }
@@ -240,8 +218,8 @@ std::unique_ptr<DecisionStrategy> EncodeSession::strategy_of(const EncodeParams&
 bool EncodeSession::walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
                          const EncodeObserver& observer, CodedImages& coded,
                          QualityTrim* trim) const {
-  const auto strategy = strategy_of(params);
-  Walk walk{views_, header_, geometry_, *strategy, observer, tree, coded, part, trim, {}};
+  const DecisionStrategy strategy = strategy_of(params);
+  Walk walk{views_, header_, geometry_, strategy, observer, tree, coded, part, trim, {}};
   for (int level = geometry_.top(); level >= 0; --level) {
     if (!LevelWalk(walk, level).run()) return false;
     // The level above has served as parent for the last time.

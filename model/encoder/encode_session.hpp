@@ -36,12 +36,10 @@ class EncodeSession {
   const Geometry& geometry() const { return geometry_; }
 
   /// Codes all images with `params`, from which the header was made except for thresholds and
-  /// quality. `last`: the originals may be used up.
-  CodedImages encode(const EncodeParams& params, bool last, const EncodeObserver& observer);
-
-  /// Likewise, not the last, with what `trim` says of predicted views; none where all begins again.
-  std::optional<CodedImages> encode_trimmed(const EncodeParams& params, QualityTrim& trim,
-                                            const EncodeObserver& observer);
+  /// quality. `last`: the originals may be used up. With what `trim` says of predicted views, if
+  /// there is one, and then none where all begins again.
+  std::optional<CodedImages> encode(const EncodeParams& params, bool last,
+                                    const EncodeObserver& observer, QualityTrim* trim = nullptr);
 
   /// Nothing coded yet.
   CodedImages no_images() const;
@@ -55,8 +53,7 @@ class EncodeSession {
   std::vector<uint8_t> stream(const CodedImages& images) const;
 
  private:
-  RkvTree tree_of(const EncodePart& part) const;
-  std::unique_ptr<DecisionStrategy> strategy_of(const EncodeParams& params) const;
+  DecisionStrategy strategy_of(const EncodeParams& params) const;
   RkvTree originals(bool last);
   bool walk(const EncodeParams& params, const EncodePart& part, RkvTree& tree,
             const EncodeObserver& observer, CodedImages& coded, QualityTrim* trim = nullptr) const;

@@ -70,13 +70,7 @@ class ExtendedLevel final : public LevelDecisions {
   }
 
   EncodedImage encode_reference(ImagePos at, const ImagePlanes& original) override {
-    EncodedImage image;
-    for (const Plane plane : kPlanes) {
-      const SamplePlane prediction = from_parent(at, plane, original[static_cast<size_t>(plane)]);
-      const SamplePlane residuals = encode_plane(plane, original, prediction, true, image);
-      keep(at, plane, residuals);
-    }
-    return image;
+    return encode_without_motion(at, original, true);
   }
 
   PlaneCode decide_group(ImagePos reference) override {
@@ -86,14 +80,8 @@ class ExtendedLevel final : public LevelDecisions {
   }
 
   EncodedImage encode_predictive(ImagePos at, const ImagePlanes& original) override {
+    if (!motion_) return encode_without_motion(at, original, false);
     EncodedImage image;
-    if (!motion_) {
-      for (const Plane plane : kPlanes) {
-        const SamplePlane prediction = from_parent(at, plane, original[static_cast<size_t>(plane)]);
-        encode_plane(plane, original, prediction, false, image);
-      }
-      return image;
-    }
     const MotionSources sources = motion_sources(at);
     const std::vector<MotionTileCode> tiles = decide_tiles(sources, original[0]);
     const PaletteFields fields{header_.has(Feature::kTwoReferences), !sources.keyed};
@@ -121,7 +109,7 @@ class ExtendedLevel final : public LevelDecisions {
   void find_disparities(ImagePos reference) {
     const std::vector<ImagePos> members = images_.members(reference);
     if (members.empty()) return;
-    DisparitySearch search = disparity_search(header_);
+    DisparitySearch search(header_);
     search.images = members.size();
     std::vector<SamplePlane> planes;
     for (const ImagePos at : spread_images(members, settings_.effort.disparity_images)) {
@@ -129,7 +117,7 @@ class ExtendedLevel final : public LevelDecisions {
       search.targets.push_back(search_target(at));
     }
     for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
-    search.bound = reference_bound(Plane::kY, header_.depth, images_.shape().keyed);
+    search.keyed = images_.shape().keyed;
     search.lambda = settings_.lambda;
     group(reference).grid = search_disparities(search, settings_.disparities);
   }
@@ -167,18 +155,26 @@ class ExtendedLevel final : public LevelDecisions {
                                                          header_.window + 10);
   }
 
-  // The prediction without motion; 0 at the top.
-  SamplePlane from_parent(ImagePos at, Plane plane, const SamplePlane& original) const {
-    const SamplePlane* above = images_.parent(at, plane);
-    return above != nullptr ? *above : SamplePlane(original.width, original.height);
+  // Codes an image on top of its parent, or of 0 at the top.
+  EncodedImage encode_without_motion(ImagePos at, const ImagePlanes& original, bool is_reference) {
+    EncodedImage image;
+    for (const Plane plane : kPlanes) {
+      const auto p = static_cast<size_t>(plane);
+      const SamplePlane* above = images_.parent(at, plane);
+      const SamplePlane zeros(original[p].width, original[p].height);
+      const SamplePlane residuals =
+          encode_plane(plane, original, above != nullptr ? *above : zeros, is_reference, image);
+      if (is_reference) keep(at, plane, residuals);
+    }
+    return image;
   }
 
   // Codes one plane on top of `prediction`; returns the residuals, set if `is_reference`.
   SamplePlane encode_plane(Plane plane, const ImagePlanes& original, const SamplePlane& prediction,
                            bool is_reference, EncodedImage& image) const {
     const auto p = static_cast<size_t>(plane);
-    ResidualPlane encoded = encode_residuals(geometry_, plane, header_.depth, original[p],
-                                             prediction, is_reference, rules_[p]);
+    EncodedPlane encoded = encode_residuals(geometry_, plane, header_.depth, original[p],
+                                            prediction, is_reference, rules_[p]);
     image.code[p] = std::move(encoded.code);
     image.samples[p] = std::move(encoded.samples);
     return std::move(encoded.residuals);
@@ -251,7 +247,7 @@ class ExtendedLevel final : public LevelDecisions {
                           settings_.effort.choices, settings_.effort.vectors, lambda_});
   }
 
-  const Settings& settings_;
+  Settings settings_;
   const LevelImages& images_;
   const Geometry& geometry_;
   const StreamHeader& header_;
@@ -261,30 +257,19 @@ class ExtendedLevel final : public LevelDecisions {
   std::vector<GroupReference> groups_;
 };
 
-class ExtendedDecisions final : public DecisionStrategy {
- public:
-  explicit ExtendedDecisions(const Settings& settings) : settings_(settings) {}
-
-  double key_error(Plane plane) const override {
-    return settings_.targets[static_cast<size_t>(plane)].key.asked;
-  }
-
-  std::unique_ptr<LevelDecisions> begin_level(const LevelImages& images) const override {
-    return std::make_unique<ExtendedLevel>(settings_, images);
-  }
-
- private:
-  Settings settings_;
-};
-
 }  // namespace
 
-std::unique_ptr<DecisionStrategy> extended_decisions(const StreamHeader& header,
-                                                     const EncodeParams& params,
-                                                     const LightFieldProbe& probe) {
-  return std::make_unique<ExtendedDecisions>(
-      Settings{plane_targets(header, params, probe), lambda_of_quality(params.extended.quality),
-               effort_of(params.extended.preset), probe.disparities});
+DecisionStrategy extended_decisions(const StreamHeader& header, const EncodeParams& params,
+                                    const LightFieldProbe& probe) {
+  const Settings settings{plane_targets(header, params, probe),
+                          lambda_of_quality(params.extended.quality),
+                          effort_of(params.extended.preset), probe.disparities};
+  DecisionStrategy strategy;
+  for (size_t p = 0; p < kPlaneCount; ++p) strategy.key_errors[p] = settings.targets[p].key.asked;
+  strategy.begin_level = [settings](const LevelImages& images) {
+    return std::make_unique<ExtendedLevel>(settings, images);
+  };
+  return strategy;
 }
 
 }  // namespace hmlfc

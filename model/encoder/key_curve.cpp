@@ -48,8 +48,9 @@ KeyCurve::KeyCurve(SamplePlane plane, int steps, SamplePrecision precision, KeyM
       measure_(std::move(measure)) {}
 
 CodedPlane code_key_plane(const SamplePlane& plane, SamplePrecision precision, double error) {
-  auto codestream = error > 0 ? encode_jpeg2000_lossy(plane, precision, error)
-                              : encode_jpeg2000(plane, precision);
+  CodestreamOptions options;
+  options.mean_squared_error = error;
+  auto codestream = encode_jpeg2000(plane, precision, options);
   if (!codestream) throw std::bad_alloc();
   if (error == 0) return {std::move(*codestream), plane, 0};
   auto decoded = decode_jpeg2000(*codestream, plane.width, plane.height);

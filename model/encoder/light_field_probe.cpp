@@ -17,7 +17,7 @@ namespace {
 // The largest disparity that is looked for, in samples per view.
 constexpr int32_t kMaxDisparityPerView = 12;
 // The views looked at: so many rows and columns away from the middle, where the grid has them.
-constexpr int32_t kReach = 2;
+constexpr uint32_t kReach = 2;
 constexpr unsigned kProbeGridLog2 = 4;
 // A lambda with which no residual ever pays: squared errors count as they are.
 constexpr int64_t kNoResidual = int64_t{1} << 40;
@@ -41,30 +41,38 @@ constexpr double kUsualError = 2;
 // be measured.
 constexpr double kInterpolatedError = 0.65;
 
-ImagePos middle_of(const LightFieldShape& shape) { return {shape.rows / 2, shape.cols / 2}; }
+ImagePos middle_of(const StreamHeader& header) { return {header.rows / 2, header.cols / 2}; }
 
-ImagePos moved(ImagePos at, int32_t rows, int32_t cols) {
-  return {static_cast<uint32_t>(static_cast<int32_t>(at.row) + rows),
-          static_cast<uint32_t>(static_cast<int32_t>(at.col) + cols)};
+// Those looked at along a line of `count` views.
+std::vector<uint32_t> places(uint32_t count) {
+  if (count == 1) return {0};
+  if (count == 2) return {0, 1};
+  const uint32_t reach = count > 2 * kReach ? kReach : 1;
+  return {count / 2 - reach, count / 2, count / 2 + reach};
 }
 
-// Moves along a line of `count` views from the one in its middle.
-std::vector<int32_t> moves(uint32_t count) {
-  if (count == 1) return {0};
-  if (count == 2) return {-1, 0};
-  const int32_t reach = count > 2 * kReach ? kReach : 1;
-  return {-reach, 0, reach};
+std::vector<ImagePos> views_around_middle(const StreamHeader& header) {
+  std::vector<ImagePos> around;
+  for (const uint32_t row : places(header.rows)) {
+    for (const uint32_t col : places(header.cols)) {
+      if (ImagePos{row, col} != middle_of(header)) around.push_back({row, col});
+    }
+  }
+  return around;
 }
 
 class DisparityProbe {
  public:
   DisparityProbe(const ViewProvider& views, const StreamHeader& header)
-      : views_(views),
-        header_(header),
-        geometry_(header),
-        reference_(luma(middle()), header.width, header.height, header.window + 10) {
-    for (const int32_t rows : moves(header.rows)) {
-      for (const int32_t cols : moves(header.cols)) add_view(rows, cols);
+      : header_(header),
+        reference_(view_planes(views, Geometry(header), middle_of(header))[0], header.width,
+                   header.height, header.window + 10) {
+    for (const ImagePos at : views_around_middle(header)) {
+      const int32_t rows = row_offset(middle_of(header), at);
+      const int32_t cols = col_offset(middle_of(header), at);
+      farthest_ = std::max({farthest_, std::abs(rows), std::abs(cols)});
+      targets_.push_back({nullptr, {nullptr, rows, cols}, {}});
+      planes_.push_back(view_planes(views, Geometry(header), at)[0]);
     }
   }
 
@@ -93,34 +101,20 @@ class DisparityProbe {
   CoarseResult search(int row_scale, Lambda lambda, unsigned grid_log2, uint32_t rows_apart) const {
     StreamHeader header = header_;
     header.row_scale = row_scale;
-    DisparitySearch search = disparity_search(header);
+    header.disparity_grid_log2 = grid_log2;
+    DisparitySearch search(header);
     search.targets = targets_;
     for (size_t i = 0; i < planes_.size(); ++i) {
       search.targets[i].plane = &planes_[i];
       search.targets[i].first.plane = &reference_;
     }
     search.lambda = lambda;
-    search.bound = reference_bound(Plane::kY, header_.depth, true);
-    search.grid_log2 = grid_log2;
     search.rows_apart = rows_apart;
     const int32_t limit = std::min(kMaxDisparityPerView, std::max(1, header_.window / farthest_));
     return coarse_disparities(search, limit << header_.disparity_precision);
   }
 
-  ImagePos middle() const { return middle_of(views_.shape()); }
-  SamplePlane luma(ImagePos at) const { return view_planes(views_, geometry_, at)[0]; }
-
-  // The view that is `rows` below and `cols` to the right of the middle.
-  void add_view(int32_t rows, int32_t cols) {
-    if (rows == 0 && cols == 0) return;
-    farthest_ = std::max({farthest_, std::abs(rows), std::abs(cols)});
-    targets_.push_back({nullptr, {nullptr, -rows, -cols}, {}});
-    planes_.push_back(luma(moved(middle(), rows, cols)));
-  }
-
-  const ViewProvider& views_;
   const StreamHeader& header_;
-  Geometry geometry_;
   PaddedPlane reference_;
   std::vector<SearchTarget> targets_;
   std::vector<SamplePlane> planes_;
@@ -133,7 +127,7 @@ class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
   KeyProbe(const ViewProvider& views, const StreamHeader& header, const DisparityRange& range)
       : header_(header),
         geometry_(header),
-        middle_(middle_of(views.shape())),
+        middle_(middle_of(header)),
         view_(view_planes(views, geometry_, middle_)) {
     if (header.has(Feature::kSharedDisparity)) find_targets(views, range);
   }
@@ -163,16 +157,12 @@ class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
  private:
   void find_targets(const ViewProvider& views, const DisparityRange& disparities) {
     const PaddedPlane reference(view_[0], header_.width, header_.height, header_.window + 10);
-    DisparitySearch search = disparity_search(header_);
-    search.bound = reference_bound(Plane::kY, header_.depth, true);
+    DisparitySearch search(header_);
     search.lambda = kUsualLambda;
-    for (const int32_t rows : moves(header_.rows)) {
-      for (const int32_t cols : moves(header_.cols)) {
-        if (rows == 0 && cols == 0) continue;
-        const ImagePos at = moved(middle_, rows, cols);
-        targets_.push_back({view_planes(views, geometry_, at), at, {}, {}});
-        search.targets.push_back({nullptr, {&reference, -rows, -cols}, {}});
-      }
+    for (const ImagePos at : views_around_middle(header_)) {
+      targets_.push_back({view_planes(views, geometry_, at), at, {}, {}});
+      search.targets.push_back(
+          {nullptr, {&reference, row_offset(middle_, at), col_offset(middle_, at)}, {}});
     }
     if (targets_.empty()) return;
     for (size_t i = 0; i < targets_.size(); ++i) search.targets[i].plane = &targets_[i].planes[0];
@@ -247,7 +237,7 @@ LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader&
     found.keys = std::make_shared<KeyProbe>(part, of_part, found.disparities)->curves();
   }
   const Geometry geometry(header);
-  const ImagePlanes whole = view_planes(views, geometry, middle_of(views.shape()));
+  const ImagePlanes whole = view_planes(views, geometry, middle_of(header));
   parallel_for(kPlaneCount, [&](size_t p) {
     const PlaneShape& shape = geometry.plane(kPlanes[p]);
     const SamplePlane inside = cropped(whole[p], shape.width, shape.height);

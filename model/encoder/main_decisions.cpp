@@ -70,7 +70,7 @@ class MainLevel final : public LevelDecisions {
                          original[p],
                          images_.parent(at, plane)};
       if (!is_reference) task.reference = &*groups_[images_.group_of(at)][p];
-      MainPlane encoded = encode_main_plane(task);
+      EncodedPlane encoded = encode_main_plane(task);
       if (is_reference) keep(at, plane, encoded.residuals);
       image.code[p] = std::move(encoded.code);
       image.samples[p] = std::move(encoded.samples);
@@ -89,29 +89,17 @@ class MainLevel final : public LevelDecisions {
     return plane_lambda({scaled}, plane, images_.header().chroma_format);
   }
 
-  const EncodeParams& params_;
+  EncodeParams params_;
   const LevelImages& images_;
   std::vector<References> groups_;
 };
 
-class MainDecisions final : public DecisionStrategy {
- public:
-  explicit MainDecisions(const EncodeParams& params) : params_(params) {}
-
-  double key_error(Plane) const override { return 0; }
-
-  std::unique_ptr<LevelDecisions> begin_level(const LevelImages& images) const override {
-    return std::make_unique<MainLevel>(params_, images);
-  }
-
- private:
-  EncodeParams params_;
-};
-
 }  // namespace
 
-std::unique_ptr<DecisionStrategy> main_decisions(const EncodeParams& params) {
-  return std::make_unique<MainDecisions>(params);
+DecisionStrategy main_decisions(const EncodeParams& params) {
+  return {{}, [params](const LevelImages& images) {
+            return std::make_unique<MainLevel>(params, images);
+          }};
 }
 
 }  // namespace hmlfc

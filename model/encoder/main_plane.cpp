@@ -54,7 +54,7 @@ class PlaneEncoder {
         range_(sample_range(task.plane, task.depth)),
         vector_bits_(uint64_t{2} * vector_widths(task.window).component_bits) {}
 
-  MainPlane run() {
+  EncodedPlane run() {
     result_.samples = SamplePlane(task_.original.width, task_.original.height);
     result_.residuals = SamplePlane(task_.original.width, task_.original.height);
     above_.resize(shape_.blocks_x);
@@ -95,50 +95,33 @@ class PlaneEncoder {
     }
   }
 
-  int32_t parent(uint32_t x, uint32_t y) const {
-    return task_.parent == nullptr ? 0 : task_.parent->at(x, y);
+  // A(x, y) of DEC-3, without motion where that is null. Positions past the border have no meaning
+  // (STR-6) and take the reference of the nearest position inside.
+  int32_t predicted(uint32_t x, uint32_t y, const MotionMatch* motion) const {
+    const int32_t parent = task_.parent == nullptr ? 0 : task_.parent->at(x, y);
+    if (motion == nullptr) return parent;
+    const int64_t from_x = int64_t{std::min(x, shape_.width - 1)} + motion->dx;
+    const int64_t from_y = int64_t{std::min(y, shape_.height - 1)} + motion->dy;
+    const int32_t reference = *task_.reference->sample(from_x, from_y);
+    return motion_prediction(parent, motion->negative, reference, range_);
   }
 
-  // Calls body(i, x, y) for each value of a block with the nearest position inside the plane, so
-  // that values outside repeat those inside and cost nothing.
-  template <class Body>
-  void for_each_inside(uint32_t bx, uint32_t by, const Body& body) const {
+  // The original of a block less its prediction, with the nearest position inside the plane for
+  // each one outside: values there repeat those inside and cost nothing.
+  BlockValues block_differences(uint32_t bx, uint32_t by, const MotionMatch* motion) const {
+    BlockValues values(size_);
     for (unsigned j = 0; j < size_; ++j) {
       for (unsigned i = 0; i < size_; ++i) {
         const uint32_t x = std::min(bx * size_ + i, shape_.width - 1);
         const uint32_t y = std::min(by * size_ + j, shape_.height - 1);
-        body(j * size_ + i, x, y);
+        values.at(i, j) = task_.original.at(x, y) - predicted(x, y, motion);
       }
     }
-  }
-
-  // A(x, y) of DEC-3 with motion. Positions past the border have no meaning (STR-6) and take the
-  // reference of the nearest position inside.
-  int32_t predicted(uint32_t x, uint32_t y, const MotionMatch& motion) const {
-    const int64_t from_x = int64_t{std::min(x, shape_.width - 1)} + motion.dx;
-    const int64_t from_y = int64_t{std::min(y, shape_.height - 1)} + motion.dy;
-    const int32_t reference = *task_.reference->sample(from_x, from_y);
-    return motion_prediction(parent(x, y), motion.negative, reference, range_);
-  }
-
-  BlockValues plain_differences(uint32_t bx, uint32_t by) const {
-    BlockValues plain(size_);
-    for_each_inside(bx, by, [&](size_t i, uint32_t x, uint32_t y) {
-      plain[i] = task_.original.at(x, y) - parent(x, y);
-    });
-    return plain;
-  }
-
-  BlockValues moved_differences(uint32_t bx, uint32_t by, const MotionMatch& motion) const {
-    BlockValues moved(size_);
-    for_each_inside(bx, by, [&](size_t i, uint32_t x, uint32_t y) {
-      moved[i] = task_.original.at(x, y) - predicted(x, y, motion);
-    });
-    return moved;
+    return values;
   }
 
   void decide(uint32_t bx, uint32_t by, BlockDecision& decision) {
-    const BlockValues plain = plain_differences(bx, by);
+    const BlockValues plain = block_differences(bx, by, nullptr);
     if (dropped(energy_of(plain))) return;
     decision.state = BlockState::kResidual;
     decision.residual = plain;
@@ -149,7 +132,7 @@ class PlaneEncoder {
       decision.state = BlockState::kMotion;
       return;
     }
-    const BlockValues moved = moved_differences(bx, by, decision.motion);
+    const BlockValues moved = block_differences(bx, by, &decision.motion);
     if (estimated_bits(moved) + vector_bits_ < estimated_bits(plain)) {
       decision.state = BlockState::kMotionResidual;
       decision.residual = moved;
@@ -159,13 +142,13 @@ class PlaneEncoder {
   // Chooses between motion and none, by what either leaves to a residual, if there will be one.
   // `decision` gets these differences.
   void decide_motion(uint32_t bx, uint32_t by, BlockDecision& decision) {
-    decision.residual = plain_differences(bx, by);
+    decision.residual = block_differences(bx, by, nullptr);
     if (task_.reference == nullptr) return;
     const int64_t vector = task_.lambda.cost(0, static_cast<int64_t>(vector_bits_));
     const int64_t plain = least_cost(decision.residual);
     if (plain <= vector) return;
     const MotionMatch match = search(bx, by, decision.residual);
-    const BlockValues moved = moved_differences(bx, by, match);
+    const BlockValues moved = block_differences(bx, by, &match);
     if (least_cost(moved) + vector >= plain) return;
     decision.state = BlockState::kMotion;
     decision.motion = match;
@@ -230,12 +213,12 @@ class PlaneEncoder {
   }
 
   void reconstruct(uint32_t bx, uint32_t by, const BlockDecision& decision) {
+    const MotionMatch* motion = decision.has_motion() ? &decision.motion : nullptr;
     for (unsigned j = 0; j < size_; ++j) {
       const uint32_t y = by * size_ + j;
       for (unsigned i = 0; i < size_; ++i) {
         const uint32_t x = bx * size_ + i;
-        int32_t sample = parent(x, y);
-        if (decision.has_motion()) sample = predicted(x, y, decision.motion);
+        int32_t sample = predicted(x, y, motion);
         if (decision.has_residual()) {
           const int32_t residual = decision.residual.at(i, j);
           sample = add_residual(sample, residual, range_);
@@ -255,11 +238,11 @@ class PlaneEncoder {
   uint64_t vector_bits_;
   MotionMatch left_;
   std::vector<MotionMatch> above_;
-  MainPlane result_;
+  EncodedPlane result_;
 };
 
 }  // namespace
 
-MainPlane encode_main_plane(const MainPlaneTask& task) { return PlaneEncoder(task).run(); }
+EncodedPlane encode_main_plane(const MainPlaneTask& task) { return PlaneEncoder(task).run(); }
 
 }  // namespace hmlfc

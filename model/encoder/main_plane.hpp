@@ -3,8 +3,7 @@
 
 #include <cstdint>
 
-#include "decoder/sample_plane.hpp"
-#include "encoder/coded_images.hpp"
+#include "encoder/decisions.hpp"
 #include "encoder/padded_plane.hpp"
 #include "encoder/rate_distortion.hpp"
 #include "syntax/geometry.hpp"
@@ -26,17 +25,10 @@ struct MainPlaneTask {
   const ReferencePlane* reference = nullptr;  ///< null in a reference image
 };
 
-/// A plane that has been coded.
-struct MainPlane {
-  PlaneCode code;
-  SamplePlane samples;    ///< reconstructed (DEC-3), whole blocks
-  SamplePlane residuals;  ///< TIL-10, 0 where there is none: what motion refers to; whole blocks
-};
-
 /// With the threshold, each block is coded by its energy, the sum of absolute differences from the
 /// parent: zero where that lies below the threshold; else motion only where that of the best match
 /// does; else the cheaper of an exact residual with and without motion. With lambda, squared error
 /// and bits decide between all four, and values far from the others of their block may be clipped.
-MainPlane encode_main_plane(const MainPlaneTask& task);
+EncodedPlane encode_main_plane(const MainPlaneTask& task);
 
 }  // namespace hmlfc

@@ -20,14 +20,6 @@ namespace hmlfc {
 /// K0 to K3 of one image (MOT-7) in one plane.
 using ReferencePlanes = std::array<const PaddedPlane*, 4>;
 
-/// Rows (columns) from image `from` to image `to`.
-constexpr int32_t row_offset(ImagePos to, ImagePos from) {
-  return static_cast<int32_t>(to.row) - static_cast<int32_t>(from.row);
-}
-constexpr int32_t col_offset(ImagePos to, ImagePos from) {
-  return static_cast<int32_t>(to.col) - static_cast<int32_t>(from.col);
-}
-
 /// References of the motion of one predictive image, in all its planes.
 struct MotionSources {
   const StreamHeader& header;
@@ -56,11 +48,14 @@ struct MotionSources {
     return grid.at(static_cast<uint32_t>(x), static_cast<uint32_t>(y));
   }
 
-  /// Where disparity `d` leads in reference image Kk; in a plane of half size if `halved` (MOT-8).
+  /// The vector of disparity `d` into reference image Kk.
+  MotionVector full_vector(size_t k, int32_t d) const {
+    return disparity_vector(d, row_offset(places[k], at), col_offset(places[k], at), rules);
+  }
+
+  /// Where it leads; in a plane of half size if `halved` (MOT-8).
   SubpelVector vector(size_t k, int32_t d, bool halved) const {
-    const MotionVector full =
-        disparity_vector(d, row_offset(places[k], at), col_offset(places[k], at), rules);
-    return subpel_vector(full, header.vector_precision, halved);
+    return subpel_vector(full_vector(k, d), header.vector_precision, halved);
   }
 
   /// Where `symbol`, whose disparity is `d` unless it has a vector, leads there.

@@ -1,6 +1,7 @@
 #include "encoder/part_grid.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "encoder/plane_targets.hpp"
@@ -63,29 +64,25 @@ uint64_t part_bytes(const StreamHeader& header, const Geometry& geometry, Preset
          static_cast<uint64_t>(threads) * work_bytes(header, preset, image);
 }
 
-// Where parts may end along a line of `count` views: a group of level 0, or a cluster of the tree.
-std::vector<uint32_t> unit_ends(const Geometry& geometry, uint32_t cluster, bool rows) {
-  const LevelShape& level = geometry.level(0);
-  const uint32_t count = rows ? level.rows : level.cols;
+// Where parts may end, in rows or columns of views: a group of level 0, or a cluster of the tree.
+std::vector<uint32_t> unit_ends(const Geometry& geometry, bool rows) {
   constexpr int kLevelsOfUnit = 3;
-  uint32_t side = 1;
-  for (int l = 0; l < std::min(geometry.top(), kLevelsOfUnit); ++l) side *= cluster;
+  const int level = std::min(geometry.top(), kLevelsOfUnit);
+  const uint32_t count = rows ? geometry.level(0).rows : geometry.level(0).cols;
   std::vector<uint32_t> ends;
-  for (uint32_t at = 1; at < count; ++at) {
-    const auto group = [&](uint32_t place) {
-      const ImagePos found = geometry.group_of(0, rows ? ImagePos{place, 0} : ImagePos{0, place});
-      return rows ? found.row : found.col;
-    };
-    const bool ends_here = geometry.top() > 0 ? at % side == 0 : group(at) != group(at - 1);
-    if (ends_here) ends.push_back(at);
+  for (uint32_t at = 0; at < count; at = ends.back()) {
+    const ImagePos view = rows ? ImagePos{at, 0} : ImagePos{0, at};
+    const ImageRange unit = level > 0
+                                ? geometry.descendants(geometry.ancestor(view, 0, level), level, 0)
+                                : geometry.group_images(0, view);
+    ends.push_back(rows ? unit.row1 : unit.col1);
   }
-  ends.push_back(count);
   return ends;
 }
 
 std::vector<uint32_t> every_view(uint32_t count) {
   std::vector<uint32_t> ends(count);
-  for (uint32_t i = 0; i < count; ++i) ends[i] = i + 1;
+  std::iota(ends.begin(), ends.end(), 1u);
   return ends;
 }
 
@@ -97,49 +94,21 @@ std::vector<uint32_t> every(const std::vector<uint32_t>& ends, size_t step) {
   return some;
 }
 
-class PartSearch {
- public:
-  PartSearch(const StreamHeader& header, Preset preset)
-      : header_(header), preset_(preset), geometry_(header) {}
-
-  const Geometry& geometry() const { return geometry_; }
-
-  // Halves parts of units until they take at most `memory`; none where single units take more.
-  std::optional<FittingParts> run(const PartGrid& units, uint64_t memory, int threads) {
-    size_t rows = units.row_ends.size();
-    size_t cols = units.col_ends.size();
-    for (;;) {
-      FittingParts parts{{every(units.row_ends, rows), every(units.col_ends, cols)}, threads, 0};
-      parts.bytes = largest(parts.grid, threads);
-      least_ = std::min(least_, parts.bytes);
-      if (parts.bytes <= memory) return parts;
-      if (rows == 1 && cols == 1) return std::nullopt;
-      (rows >= cols ? rows : cols) = (std::max(rows, cols) + 1) / 2;
-    }
+// Of the largest part.
+uint64_t largest_bytes(const StreamHeader& header, const Geometry& geometry, Preset preset,
+                       const PartGrid& grid, int threads) {
+  uint64_t most = 0;
+  for (size_t part = 0; part < grid.count(); ++part) {
+    const EncodePart images =
+        part_of_views(geometry, views_of_part(grid, part), [](int, ImagePos) { return false; });
+    most = std::max(most, part_bytes(header, geometry, preset, images, threads));
   }
-
-  uint64_t least() const { return least_; }
-
- private:
-  uint64_t largest(const PartGrid& grid, int threads) const {
-    uint64_t most = 0;
-    for (size_t part = 0; part < grid.count(); ++part) {
-      const EncodePart images = part_of_views(header_, geometry_, views_of_part(grid, part),
-                                              [](int, ImagePos) { return false; });
-      most = std::max(most, part_bytes(header_, geometry_, preset_, images, threads));
-    }
-    return most;
-  }
-
-  const StreamHeader& header_;
-  Preset preset_;
-  Geometry geometry_;
-  uint64_t least_ = ~uint64_t{0};
-};
+  return most;
+}
 
 }  // namespace
 
-ViewRange views_of_part(const PartGrid& grid, size_t part) {
+ImageRange views_of_part(const PartGrid& grid, size_t part) {
   const size_t row = part / grid.col_ends.size();
   const size_t col = part % grid.col_ends.size();
   return {row > 0 ? grid.row_ends[row - 1] : 0, grid.row_ends[row],
@@ -156,24 +125,32 @@ bool covers(const PartGrid& grid, const StreamHeader& header) {
 
 std::optional<FittingParts> fitting_parts(const StreamHeader& header, Preset preset,
                                           uint64_t memory, int threads, uint64_t& least) {
-  PartSearch search(header, preset);
-  const Geometry& geometry = search.geometry();
-  const PartGrid units{unit_ends(geometry, header.cluster_rows, true),
-                       unit_ends(geometry, header.cluster_cols, false)};
-  const PartGrid views{every_view(header.rows), every_view(header.cols)};
+  const Geometry geometry(header);
+  least = ~uint64_t{0};
+  // Halves parts of units until they take at most `memory`; none where single units take more.
+  const auto fit = [&](const PartGrid& units, int count) -> std::optional<FittingParts> {
+    size_t rows = units.row_ends.size();
+    size_t cols = units.col_ends.size();
+    for (;;) {
+      FittingParts parts{{every(units.row_ends, rows), every(units.col_ends, cols)}, count, 0};
+      parts.bytes = largest_bytes(header, geometry, preset, parts.grid, count);
+      least = std::min(least, parts.bytes);
+      if (parts.bytes <= memory) return parts;
+      if (rows == 1 && cols == 1) return std::nullopt;
+      (rows >= cols ? rows : cols) = (std::max(rows, cols) + 1) / 2;
+    }
+  };
+  const PartGrid units{unit_ends(geometry, true), unit_ends(geometry, false)};
   for (int count = threads; count >= 1; --count) {
-    if (auto found = search.run(units, memory, count)) return found;
+    if (auto found = fit(units, count)) return found;
   }
-  if (auto found = search.run(views, memory, 1)) return found;
-  least = search.least();
-  return std::nullopt;
+  return fit({every_view(header.rows), every_view(header.cols)}, 1);
 }
 
 PartGrid small_parts(const StreamHeader& header) {
   const Geometry geometry(header);
   const size_t step = geometry.top() > 0 ? 1 : 2;
-  return {every(unit_ends(geometry, header.cluster_rows, true), step),
-          every(unit_ends(geometry, header.cluster_cols, false), step)};
+  return {every(unit_ends(geometry, true), step), every(unit_ends(geometry, false), step)};
 }
 
 }  // namespace hmlfc

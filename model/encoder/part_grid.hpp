@@ -11,7 +11,7 @@
 namespace hmlfc {
 
 /// The views of part `part` in [0, grid.count() - 1].
-ViewRange views_of_part(const PartGrid& grid, size_t part);
+ImageRange views_of_part(const PartGrid& grid, size_t part);
 
 /// Whether the parts of `grid` make up the views of `header`.
 bool covers(const PartGrid& grid, const StreamHeader& header);
@@ -24,7 +24,7 @@ struct FittingParts {
 };
 
 /// The largest parts that take at most `memory` bytes each with `preset`, on at most `threads`
-/// threads: more threads come first. None: not even one view fits; `least` becomes what it takes.
+/// threads: more threads come first. None: not even one view fits; `least` is what it takes.
 std::optional<FittingParts> fitting_parts(const StreamHeader& header, Preset preset,
                                           uint64_t memory, int threads, uint64_t& least);
 

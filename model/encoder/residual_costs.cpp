@@ -88,16 +88,13 @@ void ResidualCosts::quantize(int32_t step) {
 // The biases with which N levels reach from the lowest to the highest value, or 0 if one will do;
 // always with 0, of `bias_bits` bits.
 ResidualCosts::Biases ResidualCosts::useful_biases(int32_t levels, unsigned bias_bits) const {
-  if (bias_bits == 0) return {0, 0};
   const int32_t lowest = lowest_level(static_cast<uint32_t>(levels));
-  const int32_t at_least = levels_[0] - lowest;
-  const int32_t at_most = levels_[count_ - 1] - (levels - 1) - lowest;
-  const int32_t half = int32_t{1} << (bias_bits - 1);
-  if (at_most <= at_least) {  // some biases reach all values: the one nearest to 0
-    const int32_t all = clamp(0, at_most, at_least);
-    return {std::max(std::min(all, 0), -half), std::min(std::max(all, 0), half - 1)};
-  }
-  return {std::max(std::min(at_least, 0), -half), std::min(std::max(at_most, 0), half - 1)};
+  int32_t first = levels_[0] - lowest;
+  int32_t last = levels_[count_ - 1] - (levels - 1) - lowest;
+  // Some biases reach all values: the one nearest to 0.
+  if (last <= first) first = last = clamp(0, last, first);
+  return {nearest_signed(std::min(first, 0), bias_bits),
+          nearest_signed(std::max(last, 0), bias_bits)};
 }
 
 // The squared error of values that are clamped to levels [lo, hi].

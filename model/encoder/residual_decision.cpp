@@ -230,10 +230,7 @@ ResidualTile exact_residuals(std::span<const BlockValues> differences, const Til
     tile.mask |= uint64_t{1} << k;
     tile.blocks.push_back(differences[k]);
   }
-  std::vector<const BlockValues*> blocks;
-  blocks.reserve(tile.blocks.size());
-  for (const BlockValues& block : tile.blocks) blocks.push_back(&block);
-  if (!blocks.empty()) tile.fields = residual_fields(blocks, context.depth, 0);
+  if (!tile.blocks.empty()) tile.fields = residual_fields(tile.blocks, context.depth);
   return tile;
 }
 

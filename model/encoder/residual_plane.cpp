@@ -31,7 +31,7 @@ class ResidualEncoder {
     if (is_reference) encoded_.residuals = SamplePlane(prediction.width, prediction.height);
   }
 
-  ResidualPlane run() {
+  EncodedPlane run() {
     for (uint32_t ty = 0; ty < shape_.tiles_y; ++ty) {
       for (uint32_t tx = 0; tx < shape_.tiles_x; ++tx) {
         encode_tile(tx, ty);
@@ -118,14 +118,14 @@ class ResidualEncoder {
   const ResidualRules& rules_;
   TileContext context_;
   std::vector<BlockValues> differences_{kBlocksPerTile, BlockValues(size_)};
-  ResidualPlane encoded_;
+  EncodedPlane encoded_;
 };
 
 }  // namespace
 
-ResidualPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
-                               const SamplePlane& original, const SamplePlane& prediction,
-                               bool is_reference, const ResidualRules& rules) {
+EncodedPlane encode_residuals(const Geometry& geometry, Plane plane, int depth,
+                              const SamplePlane& original, const SamplePlane& prediction,
+                              bool is_reference, const ResidualRules& rules) {
   return ResidualEncoder(geometry, plane, depth, original, prediction, is_reference, rules).run();
 }
 

@@ -104,19 +104,17 @@ BlockCode least_code(const ResidualInterval& interval, unsigned bias_bits) {
   }
 }
 
-ResidualFields residual_fields(std::span<const BlockValues* const> blocks, int depth,
-                               unsigned step_code) {
+ResidualFields residual_fields(std::span<const BlockValues> blocks, int depth) {
   std::vector<ResidualInterval> intervals;
-  for (const BlockValues* block : blocks) intervals.push_back(interval_of(*block));
-  const ResidualCoding coding = best_coding(intervals, blocks.front()->size(), depth);
+  for (const BlockValues& block : blocks) intervals.push_back(interval_of(block));
+  const ResidualCoding coding = best_coding(intervals, blocks.front().size(), depth);
   ResidualFields fields;
   fields.level_base = coding.level_base;
   fields.level_bits = coding.level_bits;
   fields.bias_bits = coding.bias_bits;
-  fields.step_base = step_code;
   for (size_t i = 0; i < blocks.size(); ++i) {
     const BlockCode& code = coding.blocks[i];
-    fields.blocks.push_back({step_code, code.bias, values_of(*blocks[i], code)});
+    fields.blocks.push_back({0, code.bias, values_of(blocks[i], code)});
   }
   return fields;
 }

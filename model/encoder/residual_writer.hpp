@@ -33,9 +33,7 @@ constexpr bool fits_signed(int32_t value, unsigned bits) {
 /// biases that do, the one nearest to 0. 0 bits allow bias 0 alone.
 BlockCode least_code(const ResidualInterval& interval, unsigned bias_bits);
 
-/// The fields of least size for `blocks`: at least one, residuals before the step, each in [-M, M].
-/// `step_code` in [0, 15]: of all blocks; 0 in a stream without steps.
-ResidualFields residual_fields(std::span<const BlockValues* const> blocks, int depth,
-                               unsigned step_code);
+/// The fields of least size for `blocks`, at least one, with step 1; each value is in [-M, M].
+ResidualFields residual_fields(std::span<const BlockValues> blocks, int depth);
 
 }  // namespace hmlfc

@@ -41,28 +41,22 @@ class ClusterMean {
 
 }  // namespace
 
-RkvTree build_rkv_tree(const ViewProvider& views, const Geometry& geometry, uint32_t cluster_rows,
-                       uint32_t cluster_cols, const EncodePart& part) {
+RkvTree build_rkv_tree(const ViewProvider& views, const Geometry& geometry,
+                       const EncodePart& part) {
   RkvTree tree;
   for (int level = 1; level <= geometry.top(); ++level) {
-    const LevelShape& below = geometry.level(level - 1);
     tree.levels.emplace_back(static_cast<size_t>(geometry.level(level).images()));
     const std::vector<ImagePos>& images = part.levels[static_cast<size_t>(level)].originals;
     parallel_for(images.size(), [&](size_t i) {
-      const auto [row, col] = images[i];
       ClusterMean mean;
-      for (uint32_t r = row * cluster_rows; r < std::min((row + 1) * cluster_rows, below.rows);
-           ++r) {
-        for (uint32_t c = col * cluster_cols; c < std::min((col + 1) * cluster_cols, below.cols);
-             ++c) {
-          if (level == 1) {
-            mean.add(view_planes(views, geometry, {r, c}));
-          } else {
-            mean.add(tree.at(geometry, level - 1, {r, c}));
-          }
+      for (const ImagePos child : geometry.descendants(images[i], level, level - 1)) {
+        if (level == 1) {
+          mean.add(view_planes(views, geometry, child));
+        } else {
+          mean.add(tree.at(geometry, level - 1, child));
         }
       }
-      tree.at(geometry, level, {row, col}) = mean.mean();
+      tree.at(geometry, level, images[i]) = mean.mean();
     });
   }
   return tree;

@@ -26,7 +26,6 @@ struct RkvTree {
 
 /// Reduces each cluster to its mean, sample by sample, halves rounded up, level by level: the
 /// originals of `part`; the rest stays empty.
-RkvTree build_rkv_tree(const ViewProvider& views, const Geometry& geometry, uint32_t cluster_rows,
-                       uint32_t cluster_cols, const EncodePart& part);
+RkvTree build_rkv_tree(const ViewProvider& views, const Geometry& geometry, const EncodePart& part);
 
 }  // namespace hmlfc

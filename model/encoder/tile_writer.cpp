@@ -44,11 +44,11 @@ VectorFields vector_fields(std::span<const BlockDecision> decisions) {
 }
 
 ResidualFields residuals_of(std::span<const BlockDecision> decisions, int depth) {
-  std::vector<const BlockValues*> residuals;
+  std::vector<BlockValues> residuals;
   for (const BlockDecision& decision : decisions) {
-    if (decision.has_residual()) residuals.push_back(&decision.residual);
+    if (decision.has_residual()) residuals.push_back(decision.residual);
   }
-  return residual_fields(residuals, depth, 0);
+  return residual_fields(residuals, depth);
 }
 
 }  // namespace

@@ -34,9 +34,7 @@ MotionVector VectorSearch::start(const Area& area, size_t k) const {
   const unsigned grid_log2 = sources.header.disparity_grid_log2;
   const int32_t d = sources.grid.at(static_cast<uint32_t>(area.x + area.width / 2) >> grid_log2,
                                     static_cast<uint32_t>(area.y + area.height / 2) >> grid_log2);
-  const ImagePos place = sources.places[k];
-  return disparity_vector(d, row_offset(place, sources.at), col_offset(place, sources.at),
-                          sources.rules);
+  return sources.full_vector(k, d);
 }
 
 // What `vector` into Kk leaves of `area`; at least `most` if it is not less than that.

@@ -55,20 +55,14 @@ ImagePlanes view_planes(const ViewProvider& views, const Geometry& geometry, Ima
 SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape,
                             unsigned block_size) {
   SamplePlane blocks(shape.blocks_x * block_size, shape.blocks_y * block_size);
-  for (uint32_t y = 0; y < plane.height; ++y) {
-    const auto row = plane.row(y);
-    std::copy(row.begin(), row.end(), blocks.row(y).begin());
-  }
+  copy_samples(plane, 0, 0, plane.width, plane.height, blocks);
   extend_borders(blocks, plane.width, plane.height);
   return blocks;
 }
 
 SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height) {
   SamplePlane part(width, height);
-  for (uint32_t y = 0; y < height; ++y) {
-    const auto row = plane.row(y).first(width);
-    std::copy(row.begin(), row.end(), part.row(y).begin());
-  }
+  copy_samples(plane, 0, 0, width, height, part);
   return part;
 }
 

@@ -139,6 +139,21 @@ ImagePos Geometry::ancestor(ImagePos at, int from, int l) const {
   return at;
 }
 
+ImageRange Geometry::descendants(ImagePos at, int from, int l) const {
+  constexpr uint64_t kBeyondAll = uint64_t{1} << 32;  // 255^15 overflows
+  uint64_t rows = 1;
+  uint64_t cols = 1;
+  for (int k = l; k < from; ++k) {
+    rows = std::min(rows * cluster_rows_, kBeyondAll);
+    cols = std::min(cols * cluster_cols_, kBeyondAll);
+  }
+  const auto end = [](uint64_t beyond, uint32_t count) {
+    return static_cast<uint32_t>(std::min<uint64_t>(beyond, count));
+  };
+  return {static_cast<uint32_t>(at.row * rows), end((at.row + 1) * rows, level(l).rows),
+          static_cast<uint32_t>(at.col * cols), end((at.col + 1) * cols, level(l).cols)};
+}
+
 uint64_t Geometry::motion_tile_number(uint64_t image, size_t m, uint32_t tx, uint32_t ty) const {
   const MotionPlaneShape& shape = motion_planes_[m];
   const uint64_t tile =
@@ -149,6 +164,14 @@ uint64_t Geometry::motion_tile_number(uint64_t image, size_t m, uint32_t tx, uin
 
 ImagePos Geometry::group_of(int l, ImagePos at) const {
   return {row_groups(level(l)).group_of(at.row), col_groups(level(l)).group_of(at.col)};
+}
+
+ImageRange Geometry::group_images(int l, ImagePos at) const {
+  const GroupLine rows = row_groups(level(l));
+  const GroupLine cols = col_groups(level(l));
+  const ImagePos group = group_of(l, at);
+  return {rows.begin(group.row), rows.begin(group.row + 1), cols.begin(group.col),
+          cols.begin(group.col + 1)};
 }
 
 ImagePos Geometry::reference_of_group(int l, ImagePos group) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +14,39 @@ namespace hmlfc {
 struct ImagePos {
   uint32_t row = 0;
   uint32_t col = 0;
-  friend bool operator==(const ImagePos&, const ImagePos&) = default;
+  /// The order of images is row by row.
+  friend auto operator<=>(const ImagePos&, const ImagePos&) = default;
+};
+
+/// Rows (columns) from image `from` to image `to`; both below 2^12.
+constexpr int32_t row_offset(ImagePos to, ImagePos from) {
+  return static_cast<int32_t>(to.row) - static_cast<int32_t>(from.row);
+}
+constexpr int32_t col_offset(ImagePos to, ImagePos from) {
+  return static_cast<int32_t>(to.col) - static_cast<int32_t>(from.col);
+}
+
+/// Images [row0, row1) x [col0, col1) of one level, not empty, row by row.
+struct ImageRange {
+  uint32_t row0 = 0;
+  uint32_t row1 = 0;
+  uint32_t col0 = 0;
+  uint32_t col1 = 0;
+
+  struct Iterator {
+    ImagePos at;
+    uint32_t col0;
+    uint32_t col1;
+
+    ImagePos operator*() const { return at; }
+    Iterator& operator++() {
+      if (++at.col == col1) at = {at.row + 1, col0};
+      return *this;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.at == b.at; }
+  };
+  Iterator begin() const { return {{row0, col0}, col0, col1}; }
+  Iterator end() const { return {{row1, col0}, col0, col1}; }
 };
 
 /// Size of one plane in samples, blocks and tiles (STR-2, STR-6).
@@ -57,6 +90,7 @@ struct LevelShape {
   uint32_t group_cols() const;
 
   uint64_t images() const { return uint64_t{rows} * cols; }
+  ImageRange all_images() const { return {0, rows, 0, cols}; }
 };
 
 /// A motion tile of one image (MOT-1).
@@ -105,6 +139,9 @@ class Geometry {
   /// The ancestor at level `l` of image `at` of level `from`, from <= l (DEC-1).
   ImagePos ancestor(ImagePos at, int from, int l) const;
 
+  /// The images of level `l` whose ancestor at level `from` is image `at`, l <= from.
+  ImageRange descendants(ImagePos at, int from, int l) const;
+
   /// The reference image of the group of image `at` of level `l` (STR-4).
   ImagePos reference_of(int l, ImagePos at) const;
 
@@ -112,6 +149,9 @@ class Geometry {
 
   /// Row and column of the reference group of image `at` of level `l` (STR-4, EXT-3).
   ImagePos group_of(int l, ImagePos at) const;
+
+  /// The images of the reference group of image `at` of level `l`.
+  ImageRange group_images(int l, ImagePos at) const;
 
   /// The reference image of group `group` of level `l` (STR-4, EXT-3).
   ImagePos reference_of_group(int l, ImagePos group) const;

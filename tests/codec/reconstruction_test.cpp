@@ -36,7 +36,7 @@ Encoding encode_watched(const LightField& field, const EncodeParams& params) {
   const FieldViews views(field);
   const SettledCoding settled = settle_coding(views, with_defaults(params));
   EncodeSession session(views, *header_for(field.shape(), settled.params), settled.probe);
-  CodedImages coded = session.encode(settled.params, true, observer);
+  CodedImages coded = session.encode(settled.params, true, observer).value();
   encoding.bytes = session.stream(coded);
   return encoding;
 }
@@ -72,11 +72,9 @@ RC_GTEST_PROP(Reconstruction, DecoderEqualsEncoderAtEveryLevel, ()) {
   RC_ASSERT(decoder.has_value());
   const StreamHeader& header = decoder->header();
   for (int level = 0; level <= header.tree_height; ++level) {
-    for (uint32_t row = 0; row < header.rows; ++row) {
-      for (uint32_t col = 0; col < header.cols; ++col) {
-        for (const Plane plane : kPlanes) {
-          RC_ASSERT(differing(*decoder, encoding, {row, col}, level, plane) == 0u);
-        }
+    for (const ImagePos at : ImageRange{0, header.rows, 0, header.cols}) {
+      for (const Plane plane : kPlanes) {
+        RC_ASSERT(differing(*decoder, encoding, {at.row, at.col}, level, plane) == 0u);
       }
     }
   }

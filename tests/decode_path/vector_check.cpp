@@ -8,6 +8,7 @@
 
 #include "io/files.hpp"
 #include "request_check.hpp"
+#include "syntax/geometry.hpp"
 #include "vectors/digest.hpp"
 #include "vectors/expected.hpp"
 #include "vectors/json.hpp"
@@ -108,27 +109,23 @@ class StreamCheck {
     const auto decoded = decoder_.decode_all(put, {.stop_level = level, .threads = 1});
     bool all = true;
     bool named = false;
-    for (uint32_t row = 0; row < header_.rows; ++row) {
-      for (uint32_t col = 0; col < header_.cols; ++col) {
-        const auto view = decoder_.decode_view({row, col}, level);
-        all = all && view.has_value();
-        named = named || (!decoded && !view && same_error(decoded.error(), view.error()));
-        if (!decoded || !view) continue;
-        demand(picture_bytes(views[{row, col}]) == picture_bytes(*view),
-               "decode_all gives another view");
-      }
+    for (const auto& [row, col] : ImageRange{0, header_.rows, 0, header_.cols}) {
+      const auto view = decoder_.decode_view({row, col}, level);
+      all = all && view.has_value();
+      named = named || (!decoded && !view && same_error(decoded.error(), view.error()));
+      if (!decoded || !view) continue;
+      demand(picture_bytes(views[{row, col}]) == picture_bytes(*view),
+             "decode_all gives another view");
     }
     demand(decoded ? all : named, "decode_all or a view of it fails, or not for the same reason");
   }
 
   void check_plane(Plane plane) {
     const PlaneSize size = decoder_.plane_size(plane);
-    for (uint32_t row = 0; row < header_.rows; ++row) {
-      for (uint32_t col = 0; col < header_.cols; ++col) {
-        std::optional<std::vector<int16_t>> above;
-        for (int level = header_.tree_height; level >= 0; --level) {
-          above = check_level({row, col}, plane, size, level, std::move(above));
-        }
+    for (const auto& [row, col] : ImageRange{0, header_.rows, 0, header_.cols}) {
+      std::optional<std::vector<int16_t>> above;
+      for (int level = header_.tree_height; level >= 0; --level) {
+        above = check_level({row, col}, plane, size, level, std::move(above));
       }
     }
   }

@@ -43,18 +43,21 @@ Found search_for(int32_t disparity, int row_scale) {
   const SamplePlane reference = noise_plane(kWidth, kHeight);
   const PaddedPlane padded(reference, kWidth, kHeight, 40);
   std::vector<SamplePlane> planes;
-  DisparitySearch search;
+  StreamHeader header;
+  header.width = kWidth;
+  header.height = kHeight;
+  header.window = 30;
+  header.vector_precision = header.disparity_precision = 3;
+  header.motion_tile_log2 = 6;
+  header.disparity_grid_log2 = 3;
+  header.row_scale = row_scale;
+  DisparitySearch search(header);
   const int sign = row_scale / 16;
   for (const auto& [rows, cols] : {std::pair{0, 1}, {1, 0}, {-1, 1}, {2, -2}}) {
     planes.push_back(moved(reference, sign * rows, cols, disparity));
     search.targets.push_back({nullptr, {&padded, rows, cols}, {}});
   }
   for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
-  search.width = kWidth;
-  search.height = kHeight;
-  search.rules = {30 * 8, 0, row_scale};
-  search.vector_precision = 3;
-  search.disparity_precision = 3;
   search.images = search.targets.size();
   search.lambda = {256};
   Found found;

@@ -8,10 +8,7 @@ namespace {
 void for_each_image(const StreamView& stream,
                     const std::function<void(int level, ImagePos image)>& take) {
   for (int level = stream.geometry.top(); level >= 0; --level) {
-    const LevelShape& shape = stream.geometry.level(level);
-    for (uint32_t row = 0; row < shape.rows; ++row) {
-      for (uint32_t col = 0; col < shape.cols; ++col) take(level, {row, col});
-    }
+    for (const ImagePos image : stream.geometry.level(level).all_images()) take(level, image);
   }
 }
 

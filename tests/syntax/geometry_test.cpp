@@ -107,6 +107,7 @@ RC_GTEST_PROP(Geometry, NumbersCountImagesTilesAndKeys, ()) {
   uint64_t image = 0;
   uint64_t tile = 0;
   uint64_t key = 0;
+  int64_t views = int64_t{header.rows} * header.cols * (header.tree_height + 1);
   for_each_image(header, [&](int level, ImagePos at) {
     RC_ASSERT(geometry.image_number(level, at) == image);
     for (const Plane plane : kPlanes) {
@@ -129,10 +130,17 @@ RC_GTEST_PROP(Geometry, NumbersCountImagesTilesAndKeys, ()) {
     const bool keyed = level == header.tree_height || entry.key_references == 1;
     RC_ASSERT(geometry.is_key(level, at) == (keyed && geometry.is_reference(level, at)));
     if (geometry.is_key(level, at)) RC_ASSERT(geometry.key_number(level, at) == key++);
+    for (const ImagePos view : geometry.descendants(at, level, 0)) {
+      RC_ASSERT(geometry.ancestor(view, 0, level) == at);
+      --views;
+    }
+    for (const ImagePos mate : geometry.group_images(level, at))
+      RC_ASSERT(geometry.reference_of(level, mate) == geometry.reference_of(level, at));
     ++image;
   });
   RC_ASSERT(geometry.top() == header.tree_height);
   RC_ASSERT(geometry.image_count() == image);
+  RC_ASSERT(views == 0);
   RC_ASSERT(geometry.tile_count() == tile);
   RC_ASSERT(geometry.tile_group_count() == parts(static_cast<uint32_t>(tile), 64));
   RC_ASSERT(geometry.root_entry_count() == parts(static_cast<uint32_t>(tile), 4096));

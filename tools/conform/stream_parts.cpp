@@ -21,17 +21,15 @@ void for_each_tile(const Geometry& geometry, const Body& body) {
     }
   };
   for (int level = geometry.top(); level >= 0; --level) {
-    for (uint32_t row = 0; row < geometry.level(level).rows; ++row) {
-      for (uint32_t col = 0; col < geometry.level(level).cols; ++col) {
-        TilePlace place{level, row, col, 0, 0, 0};
-        for (const Plane plane : kPlanes) {
-          place.slot = static_cast<unsigned>(plane);
-          plane_tiles(place, geometry.plane(plane));
-        }
-        for (const MotionPlaneShape& shape : geometry.motion_planes()) {
-          ++place.slot;
-          plane_tiles(place, shape);
-        }
+    for (const ImagePos at : geometry.level(level).all_images()) {
+      TilePlace place{level, at.row, at.col, 0, 0, 0};
+      for (const Plane plane : kPlanes) {
+        place.slot = static_cast<unsigned>(plane);
+        plane_tiles(place, geometry.plane(plane));
+      }
+      for (const MotionPlaneShape& shape : geometry.motion_planes()) {
+        ++place.slot;
+        plane_tiles(place, shape);
       }
     }
   }
@@ -42,12 +40,10 @@ template <class Body>
 void for_each_key(const Geometry& geometry, const Body& body) {
   uint64_t number = 0;
   for (int level = geometry.top(); level >= 0; --level) {
-    for (uint32_t row = 0; row < geometry.level(level).rows; ++row) {
-      for (uint32_t col = 0; col < geometry.level(level).cols; ++col) {
-        if (!geometry.is_key(level, {row, col})) continue;
-        for (unsigned plane = 0; plane < kPlaneCount; ++plane) {
-          body(KeyPlace{level, row, col, plane}, number++);
-        }
+    for (const ImagePos at : geometry.level(level).all_images()) {
+      if (!geometry.is_key(level, at)) continue;
+      for (unsigned plane = 0; plane < kPlaneCount; ++plane) {
+        body(KeyPlace{level, at.row, at.col, plane}, number++);
       }
     }
   }

@@ -29,11 +29,7 @@ class FieldStream {
   std::vector<uint8_t> run() {
     const Geometry& geometry = stream_.geometry;
     for (int level = geometry.top(); level >= 0; --level) {
-      for (uint32_t row = 0; row < geometry.level(level).rows; ++row) {
-        for (uint32_t col = 0; col < geometry.level(level).cols; ++col) {
-          add_image(level, {row, col});
-        }
-      }
+      for (const ImagePos at : geometry.level(level).all_images()) add_image(level, at);
     }
     index_.finish();
     return assemble_stream(rules_.header, top_section(codestreams_, crcs_), index_, rules_.rig);
@@ -98,16 +94,13 @@ class FieldStream {
       sample = static_cast<int16_t>(rules.pick(field, range.lo, range.hi, random_));
     }
     const SamplePrecision precision{depth + (chroma ? 1 : 0), chroma};
-    const CodestreamOptions& coding = rules_.key_coding;
-    auto coded = rules_.key_error > 0
-                     ? encode_jpeg2000_lossy(samples, precision, rules_.key_error, coding)
-                     : encode_jpeg2000(samples, precision, coding);
+    CodestreamOptions coding = rules_.key_coding;
+    coding.mean_squared_error = rules_.key_error;
+    auto coded = encode_jpeg2000(samples, precision, coding);
     if (!coded) throw std::bad_alloc();
     if (rules_.key_error > 0) {
       samples = decode_jpeg2000(*coded, shape.width, shape.height).value();
-      for (int16_t& sample : samples.samples) {
-        sample = static_cast<int16_t>(clamp(sample, range.lo, range.hi));
-      }
+      clamp_samples(samples, range);
     }
     crcs_.push_back(sample_crc(samples));
     codestreams_.push_back(std::move(*coded));

@@ -6,7 +6,6 @@
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <vector>
 
 #include "bits/parallel.hpp"
 #include "decoder/colour_row.hpp"
@@ -61,8 +60,9 @@ class FamilyDecoder {
       return deliver(*own, parent);
     }
     std::optional<ViewPlanes> shared;  // decoded for the first child that needs it
-    for (const ImagePos image : children_of(parent)) {
-      if (!sources_.stream.geometry.is_key(stop_level_, image) && !shared) {
+    const Geometry& geometry = sources_.stream.geometry;
+    for (const ImagePos image : geometry.descendants(parent, parent_level, stop_level_)) {
+      if (!geometry.is_key(stop_level_, image) && !shared) {
         auto planes = decode_image(parent_level, parent);
         if (!planes) return tl::unexpected(planes.error());
         shared = std::move(*planes);
@@ -73,21 +73,6 @@ class FamilyDecoder {
   }
 
  private:
-  // The images of level stop_level below `parent`.
-  std::vector<ImagePos> children_of(ImagePos parent) const {
-    const StreamHeader& header = sources_.stream.header;
-    const LevelShape& level = sources_.stream.geometry.level(stop_level_);
-    const uint32_t last_row = std::min((parent.row + 1) * header.cluster_rows, level.rows);
-    const uint32_t last_col = std::min((parent.col + 1) * header.cluster_cols, level.cols);
-    std::vector<ImagePos> children;
-    for (uint32_t row = parent.row * header.cluster_rows; row < last_row; ++row) {
-      for (uint32_t col = parent.col * header.cluster_cols; col < last_col; ++col) {
-        children.push_back({row, col});
-      }
-    }
-    return children;
-  }
-
   Result<ViewPlanes> decode_image(int level, ImagePos image) const {
     ViewPlanes planes;
     for (const PlaneGroup& group : kPlaneGroups) {
@@ -119,19 +104,8 @@ class FamilyDecoder {
     const StreamHeader& header = sources_.stream.header;
     const bool halved = header.chroma_format == ChromaFormat::k420;
     const Rect all{0, 0, header.width, header.height};
-    uint64_t rows = 1;
-    uint64_t cols = 1;
-    for (int l = 0; l < stop_level_; ++l) {
-      rows *= header.cluster_rows;
-      cols *= header.cluster_cols;
-    }
-    for (uint64_t row = image.row * rows;
-         row < std::min<uint64_t>((image.row + 1) * rows, header.rows); ++row) {
-      for (uint64_t col = image.col * cols;
-           col < std::min<uint64_t>((image.col + 1) * cols, header.cols); ++col) {
-        consumer_({static_cast<uint32_t>(row), static_cast<uint32_t>(col)},
-                  rgb_picture(planes, all, halved, header.depth));
-      }
+    for (const ImagePos view : sources_.stream.geometry.descendants(image, stop_level_, 0)) {
+      consumer_({view.row, view.col}, rgb_picture(planes, all, halved, header.depth));
     }
     return {};
   }
@@ -144,14 +118,10 @@ class FamilyDecoder {
 // The error of the first view below `parent` that does not decode, as decode_view names it. There
 // is one: the fast path fails on a whole plane only where some block of it does.
 Error first_view_error(const Decoder& decoder, int parent_level, ImagePos parent, int stop_level) {
-  const StreamHeader& header = decoder.header();
-  const Geometry geometry(header);
-  for (uint32_t row = 0; row < header.rows; ++row) {
-    for (uint32_t col = 0; col < header.cols; ++col) {
-      if (geometry.ancestor({row, col}, 0, parent_level) != parent) continue;
-      const auto view = decoder.decode_view({row, col}, stop_level);
-      if (!view) return view.error();
-    }
+  const Geometry geometry(decoder.header());
+  for (const ImagePos at : geometry.descendants(parent, parent_level, 0)) {
+    const auto view = decoder.decode_view({at.row, at.col}, stop_level);
+    if (!view) return view.error();
   }
   return {ErrorCode::kOutOfMemory, Section::kHeader, 0};
 }

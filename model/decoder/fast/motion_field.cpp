@@ -6,6 +6,7 @@
 #include "arithmetic/rounding.hpp"
 #include "arithmetic/widths.hpp"
 #include "decoder/fast/bise_unpack.hpp"
+#include "decoder/golden/block_walk.hpp"
 #include "syntax/index.hpp"
 
 namespace hmlfc {
@@ -49,6 +50,21 @@ Result<void> read_motion_field(const StreamView& stream, const MotionTilePlace& 
   bise_unpack(record.data(), head->indices_at, head->levels, static_cast<size_t>(head->blocks()),
               field.indices.data());
   return {};
+}
+
+Result<const PaletteEntry*> MotionEntries::find(const BlockSite& site) {
+  const MotionPlace at = motion_place(stream_, site);
+  const unsigned log2 = stream_.header.motion_tile_log2;
+  const MotionTilePlace place{
+      site.level, {site.image_row, site.image_col}, at.motion_plane, at.x >> log2, at.y >> log2};
+  if (place != place_) {
+    place_ = place;
+    read_ = read_motion_field(stream_, place, field_);
+  }
+  if (!read_) return tl::unexpected(read_.error());
+  const uint32_t in_tile = (1u << log2) - 1;
+  return field_.entry((at.x & in_tile) >> field_.head.block_log2,
+                      (at.y & in_tile) >> field_.head.block_log2);
 }
 
 DisparityPlane::DisparityPlane(const StreamView& stream, int level, ImagePos image,

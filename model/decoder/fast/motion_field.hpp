@@ -35,6 +35,24 @@ struct MotionField {
 Result<void> read_motion_field(const StreamView& stream, const MotionTilePlace& place,
                                MotionField& field);
 
+/// Palette entries of blocks of predictive images, asked for tile by tile: the motion tile read
+/// last is kept. Not thread-safe.
+class MotionEntries {
+ public:
+  /// `stream` has motion tiles, or nothing is asked for; it must outlive this.
+  explicit MotionEntries(const StreamView& stream) : stream_(stream) {}
+
+  /// The entry of the block at `site`; null if it has none that it may use. Errors: those of
+  /// read_motion_field.
+  Result<const PaletteEntry*> find(const BlockSite& site);
+
+ private:
+  const StreamView& stream_;
+  MotionTilePlace place_{-1, {}, 0, 0, 0};
+  Result<void> read_;  // the tile at place_
+  MotionField field_;
+};
+
 /// The disparities that one motion plane of one reference image holds (MOT-6). Each motion tile is
 /// read when one of its disparities is first asked for. Thread-safe.
 class DisparityPlane {

@@ -60,7 +60,8 @@ class Round {
         stream_(stream),
         geometry_(stream.geometry),
         missing_(missing),
-        references_(stream) {}
+        references_(stream),
+        entries_(stream) {}
 
   void visit_key(int level, ImagePos image, Plane plane) {
     if (keys_ == nullptr) return;
@@ -110,7 +111,8 @@ class Round {
     const MotionResolver resolver(stream_, tile.site.level, image, tile.site.plane);
     for_each_block(tile.site, tile.blocks, [&](const BlockSite& site, unsigned) {
       const MotionPlace place = motion_place(stream_, site);
-      const PaletteEntry* entry = entry_at(site, place);
+      const auto found_entry = entries_.find(site);
+      const PaletteEntry* entry = found_entry ? *found_entry : nullptr;
       if (entry == nullptr || !entry->has_motion()) return;
       int32_t disparity = 0;
       if (entry->shares_disparity()) {
@@ -129,24 +131,6 @@ class Round {
         visit_reference(site, motion.references[i].image, motion.references[i].vector);
       }
     });
-  }
-
-  // Null where the motion tile cannot be read.
-  const PaletteEntry* entry_at(const BlockSite& site, const MotionPlace& place) {
-    const unsigned log2 = stream_.header.motion_tile_log2;
-    const MotionTilePlace at{site.level,
-                             {site.image_row, site.image_col},
-                             place.motion_plane,
-                             place.x >> log2,
-                             place.y >> log2};
-    if (at != field_place_) {
-      field_place_ = at;
-      field_read_ = read_motion_field(stream_, at, *field_).has_value();
-    }
-    if (!field_read_) return nullptr;
-    const uint32_t in_tile = (1u << log2) - 1;
-    return field_->entry((place.x & in_tile) >> field_->head.block_log2,
-                         (place.y & in_tile) >> field_->head.block_log2);
   }
 
   // The tiles of reference image `image` that hold the displaced block `site`.
@@ -183,9 +167,7 @@ class Round {
   std::unordered_set<uint64_t> keys_seen_;
   std::unordered_set<uint64_t> tiles_seen_;  // of reference images; the first to ask comes again
   std::unique_ptr<TileBlocks> blocks_ = std::make_unique<TileBlocks>();
-  std::unique_ptr<MotionField> field_ = std::make_unique<MotionField>();
-  MotionTilePlace field_place_{-1, {}, 0, 0, 0};
-  bool field_read_ = false;
+  MotionEntries entries_;
   bool complete_ = true;
 };
 
@@ -223,10 +205,7 @@ void load_images(const FastSources& sources, int lowest, bool keys) {
   const Geometry& geometry = sources.stream.geometry;
   std::vector<ImagePart> parts;
   for (int level = geometry.top(); level >= lowest; --level) {
-    const LevelShape& shape = geometry.level(level);
-    for (uint64_t i = 0; i < shape.images(); ++i) {
-      const ImagePos image{static_cast<uint32_t>(i / shape.cols),
-                           static_cast<uint32_t>(i % shape.cols)};
+    for (const ImagePos image : geometry.level(level).all_images()) {
       for (const Plane plane : kPlanes) {
         parts.push_back({level, image, plane, whole_plane(geometry.plane(plane))});
       }

@@ -111,12 +111,8 @@ void copy_key(const SamplePlane& key, const BlockRect& rect, unsigned block_size
               SamplePlane& samples) {
   const uint32_t x0 = rect.bx0 * block_size;
   const uint32_t y0 = rect.by0 * block_size;
-  const uint32_t columns = std::min(samples.width, key.width - x0);
-  const uint32_t rows = std::min(samples.height, key.height - y0);
-  for (uint32_t y = 0; y < rows; ++y) {
-    const auto source = key.row(y0 + y).subspan(x0, columns);
-    std::copy(source.begin(), source.end(), samples.row(y).begin());
-  }
+  copy_samples(key, x0, y0, std::min(samples.width, key.width - x0),
+               std::min(samples.height, key.height - y0), samples);
 }
 
 }  // namespace
