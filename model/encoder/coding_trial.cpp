@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -17,90 +16,24 @@
 namespace hmlfc {
 namespace {
 
-constexpr uint32_t kTrialWidth = 384;
-constexpr uint32_t kTrialHeight = 256;
+// Views up to this size are tried whole, of larger ones two parts on the diagonal: what is hard to
+// predict often lies on one side.
+constexpr uint32_t kWholeWidth = 384;
+constexpr uint32_t kWholeHeight = 256;
+constexpr uint32_t kPartWidth = 256;
+constexpr uint32_t kPartHeight = 192;
 
-// How much there is to code in each cell of 16x16 pixels of a view: log2 of its variance, row by
-// row.
-class Activity {
- public:
-  explicit Activity(const SamplePlane& luma)
-      : columns_(luma.width / kCell), rows_(luma.height / kCell) {
-    for (uint32_t y = 0; y < rows_; ++y) {
-      for (uint32_t x = 0; x < columns_; ++x) cells_.push_back(of_cell(luma, x, y));
-    }
-    whole_ = shares(0, 0, columns_, rows_);
+std::vector<Rect> tried_parts(const LightFieldShape& shape) {
+  if (shape.width <= kWholeWidth && shape.height <= kWholeHeight) {
+    return {{0, 0, shape.width, shape.height}};
   }
-
-  static constexpr uint32_t kCell = 16;
-  uint32_t columns() const { return columns_; }
-  uint32_t rows() const { return rows_; }
-
-  // How far `columns` x `rows` cells from (x, y) on differ from the whole.
-  double difference(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
-    const Shares part = shares(x, y, columns, rows);
-    double sum = 0;
-    for (size_t i = 0; i < part.size(); ++i) sum += std::abs(part[i] - whole_[i]);
-    return sum;
-  }
-
- private:
-  static int of_cell(const SamplePlane& luma, uint32_t x, uint32_t y) {
-    int64_t sum = 0;
-    int64_t squares = 0;
-    for (uint32_t j = 0; j < kCell; ++j) {
-      for (uint32_t i = 0; i < kCell; ++i) {
-        const int64_t sample = luma.at(x * kCell + i, y * kCell + j);
-        sum += sample;
-        squares += sample * sample;
-      }
-    }
-    constexpr int64_t kSamples = int64_t{kCell} * kCell;
-    return static_cast<int>(
-        std::bit_width(static_cast<uint64_t>((squares - sum * sum / kSamples) / kSamples)));
-  }
-
-  // Of cells with an activity of more than 0, 1 and so on.
-  using Shares = std::array<double, 13>;
-
-  Shares shares(uint32_t x, uint32_t y, uint32_t columns, uint32_t rows) const {
-    std::array<uint32_t, std::tuple_size_v<Shares> + 1> counts{};
-    for (uint32_t j = y; j < y + rows; ++j) {
-      for (uint32_t i = x; i < x + columns; ++i) {
-        ++counts[std::min(static_cast<size_t>(cells_[j * columns_ + i]), counts.size() - 1)];
-      }
-    }
-    Shares shares{};
-    uint32_t above = 0;
-    for (size_t i = shares.size(); i-- > 0;) {
-      above += counts[i + 1];
-      shares[i] = static_cast<double>(above) / (static_cast<double>(columns) * rows);
-    }
-    return shares;
-  }
-
-  uint32_t columns_;
-  uint32_t rows_;
-  std::vector<int> cells_;
-  Shares whole_{};
-};
-
-// The place of a part of `shape`'s size that is most like the whole of `luma`.
-std::pair<uint32_t, uint32_t> typical_place(const SamplePlane& luma, const LightFieldShape& shape) {
-  const Activity activity(luma);
-  const uint32_t columns = std::max(1u, shape.width / Activity::kCell);
-  const uint32_t rows = std::max(1u, shape.height / Activity::kCell);
-  std::pair<uint32_t, uint32_t> best{0, 0};
-  double least = std::numeric_limits<double>::infinity();
-  for (uint32_t y = 0; y + rows <= activity.rows(); ++y) {
-    for (uint32_t x = 0; x + columns <= activity.columns(); ++x) {
-      const double difference = activity.difference(x, y, columns, rows);
-      if (difference >= least) continue;
-      least = difference;
-      best = {x * Activity::kCell, y * Activity::kCell};
-    }
-  }
-  return best;
+  const uint32_t width = std::min(shape.width, kPartWidth);
+  const uint32_t height = std::min(shape.height, kPartHeight);
+  // With their middles at a quarter and at three quarters, where that leaves them inside.
+  const uint32_t x = std::max(shape.width / 4, width / 2) - width / 2;
+  const uint32_t y = std::max(shape.height / 4, height / 2) - height / 2;
+  return {{x, y, width, height},
+          {shape.width - width - x, shape.height - height - y, width, height}};
 }
 
 // Bits of the index for a record, and for a tile with or without one.
@@ -219,22 +152,18 @@ double key_image_bits(const StreamHeader& header, const EncodeParams& params,
 
 }  // namespace
 
-Rect trial_part(const ViewProvider& views, const StreamHeader& header) {
-  const LightFieldShape& whole = views.shape();
-  LightFieldShape shape = whole;
-  shape.width = std::min(whole.width, kTrialWidth);
-  shape.height = std::min(whole.height, kTrialHeight);
-  const ImagePos middle{whole.rows / 2, whole.cols / 2};
-  const auto place = typical_place(view_planes(views, Geometry(header), middle)[0], shape);
-  // The plane is that of whole blocks, which may be larger than the view.
-  return {std::min(place.first, whole.width - shape.width),
-          std::min(place.second, whole.height - shape.height), shape.width, shape.height};
+TrialParts trial_parts(const ViewProvider& views, uint64_t max_bytes) {
+  const std::vector<Rect> rects = tried_parts(views.shape());
+  TrialParts parts;
+  for (const Rect& rect : rects) parts.emplace_back(views, rect, max_bytes / rects.size());
+  return parts;
 }
 
-TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
+TrialResult try_coding(const LightFieldShape& whole, const TrialParts& parts,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images) {
+  const LightFieldShape& tried = parts.front().shape();
   const auto whole_header = header_for(whole, params);
-  const auto header = header_for(part.shape(), params);
+  const auto header = header_for(tried, params);
   if (!header || !whole_header) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     return {kInfinite, kInfinite};
@@ -242,8 +171,16 @@ TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
   const auto pixels = [](const LightFieldShape& shape) {
     return static_cast<double>(shape.width) * shape.height;
   };
-  return Trial(part, *header, params, probe, images)
-      .result(pixels(whole) / pixels(part.shape()), key_image_bits(*whole_header, params, probe));
+  const double share = 1 / static_cast<double>(parts.size());
+  const double scale = share * pixels(whole) / pixels(tried);
+  const double key_bits = share * key_image_bits(*whole_header, params, probe);
+  TrialResult sum;
+  for (const CachedViews& part : parts) {
+    const TrialResult result = Trial(part, *header, params, probe, images).result(scale, key_bits);
+    sum.rgb_squares += result.rgb_squares;
+    sum.bits += result.bits;
+  }
+  return sum;
 }
 
 }  // namespace hmlfc

@@ -1,17 +1,24 @@
 // Estimates what an encoding would cost, from some images of a part of all views.
 #pragma once
 
+#include <cstdint>
+#include <deque>
+
 #include <hmlfc/encoder.hpp>
 #include <hmlfc/view_provider.hpp>
 
+#include "encoder/cached_views.hpp"
 #include "encoder/light_field_probe.hpp"
 #include "encoder/rate_distortion.hpp"
 
 namespace hmlfc {
 
-/// The part of `views` on which parameters are tried: of each the same rectangle of at most 384x256
-/// pixels, the one most like the whole. `header` is one for `views`.
-Rect trial_part(const ViewProvider& views, const StreamHeader& header);
+/// What parameters are tried on: of each view the same parts, of one size, which have at most
+/// 384x256 pixels together.
+using TrialParts = std::deque<CachedViews>;
+
+/// Those of `views`, which must outlive them. They keep at most `max_bytes`, as CachedViews do.
+TrialParts trial_parts(const ViewProvider& views, uint64_t max_bytes);
 
 /// Error and size of an encoding of all views, as estimated.
 struct TrialResult {
@@ -25,8 +32,9 @@ struct TrialResult {
 };
 
 /// Estimates for views of `whole` an encoding with `params` of profile extended, nothing open, from
-/// about `images` images of `part`, each with all it refers to. Infinite where no header allows it.
-TrialResult try_coding(const LightFieldShape& whole, const ViewProvider& part,
+/// about `images` images of each of `parts`, with all it refers to. Infinite where no header
+/// allows it.
+TrialResult try_coding(const LightFieldShape& whole, const TrialParts& parts,
                        const EncodeParams& params, const LightFieldProbe& probe, size_t images);
 
 }  // namespace hmlfc

@@ -94,6 +94,7 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
   if (!found || goal.is_met(goal.surplus_db(*found, shape))) return found;
   if (!goal.is_least()) {  // what trials settled for more bytes may take too many
     lossy.extended.quality = found->params.extended.quality;
+    if (!params.chroma) lossy.chroma = ChromaFormat::k420;
     Encoded again = run_encoder(light_field, lossy, nullptr, progress, search);
     return again && again->bytes.size() < found->bytes.size() ? again : found;
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bits/parallel.hpp"
+#include "encoder/cached_views.hpp"
 #include "encoder/key_refinement.hpp"
 #include "encoder/motion_prediction.hpp"
 #include "encoder/view_planes.hpp"
@@ -18,12 +19,15 @@ namespace {
 constexpr int32_t kMaxDisparityPerView = 12;
 // The views looked at: so many rows and columns away from the middle, where the grid has them.
 constexpr uint32_t kReach = 2;
+// Of views in which key images are measured, at most.
+constexpr uint32_t kKeyWidth = 384;
+constexpr uint32_t kKeyHeight = 256;
 constexpr unsigned kProbeGridLog2 = 4;
 // A lambda with which no residual ever pays: squared errors count as they are.
 constexpr int64_t kNoResidual = int64_t{1} << 40;
 // Distances of rows of cameras, in 16ths of that of columns. One is believed that leaves this share
 // of the error of 16; with the lambda of quality 84, as what nothing predicts counts little then.
-constexpr std::array kRowScales{5, 8, 11, 12, 13, 14, 18, 20, 21, 24, 27, 32, 48};
+constexpr std::array kRowScales{4, 5, 8, 11, 12, 13, 14, 18, 20, 21, 24, 27, 32, 48, 64};
 constexpr Lambda kFineLambda{int64_t{256} << 2};
 constexpr double kBelievedError = 0.95;
 // The lambda of quality 60, and the images of a group of 5x5: what a key image costs hardly depends
@@ -222,7 +226,7 @@ std::vector<int> likely_row_scales(const ViewProvider& views, const StreamHeader
 }
 
 LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header,
-                                  const ViewProvider& part, int row_scale) {
+                                  int row_scale) {
   LightFieldProbe found;
   found.row_scale = row_scale;
   if (header.has(Feature::kSharedDisparity)) {
@@ -231,9 +235,13 @@ LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader&
   const bool lossy = header.has(Feature::kLossyKeys);
   if (lossy) {
     StreamHeader of_part = header;
-    of_part.width = part.shape().width;
-    of_part.height = part.shape().height;
+    of_part.width = std::min(header.width, kKeyWidth);
+    of_part.height = std::min(header.height, kKeyHeight);
     of_part.row_scale = found.row_scale;
+    const CachedViews part(views,
+                           {(header.width - of_part.width) / 2,
+                            (header.height - of_part.height) / 2, of_part.width, of_part.height},
+                           0);
     found.keys = std::make_shared<KeyProbe>(part, of_part, found.disparities)->curves();
   }
   const Geometry geometry(header);

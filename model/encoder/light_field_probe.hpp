@@ -29,9 +29,9 @@ struct LightFieldProbe {
 std::vector<int> likely_row_scales(const ViewProvider& views, const StreamHeader& header);
 
 /// Looks at the views around the middle of the grid, up to 12 samples of disparity per view; key
-/// images are measured in `part` of all views. What the feature flags of `header` have no use for
+/// images are measured in the middle of views. What the feature flags of `header` have no use for
 /// is left out. Throws std::bad_alloc.
 LightFieldProbe probe_light_field(const ViewProvider& views, const StreamHeader& header,
-                                  const ViewProvider& part, int row_scale);
+                                  int row_scale);
 
 }  // namespace hmlfc

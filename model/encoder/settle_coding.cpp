@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "arithmetic/rounding.hpp"
-#include "encoder/cached_views.hpp"
 #include "encoder/coding_trial.hpp"
 #include "encoder/plane_targets.hpp"
 #include "encoder/view_planes.hpp"
@@ -19,7 +18,7 @@ namespace hmlfc {
 namespace {
 
 // Views of a group along a row or a column, where nothing is tried.
-constexpr uint32_t kUsualGroup = 5;
+constexpr double kUsualGroup = 5;
 // For a target, the quality that trials predict is refined so often at most, until it moves by less
 // than kNextQuality. What was found for a quality serves others that are near; where the first one
 // is not, nothing is looked for with it.
@@ -30,6 +29,9 @@ constexpr double kNearQuality = 8;
 constexpr double kMatters = 0.003;
 // Views that are all key images have no geometry, and no block decodes without all of its view.
 constexpr double kMattersMuch = 0.1;
+// Where rows are so many times as far apart as columns, or the other way round, groups of other
+// shapes are tried.
+constexpr double kUneven = 1.4;
 
 // Images that a trial codes.
 size_t trial_images(Preset preset) {
@@ -39,12 +41,16 @@ size_t trial_images(Preset preset) {
 // Whether finer disparities are tried, too.
 bool tries_grid(const EncodeParams& params) { return params.extended.preset != Preset::kFast; }
 
-// Sizes of groups that cut a line of `count` views into different numbers of groups, ascending.
+// How far apart rows of cameras are, by how far columns are.
+double rows_by_columns(const LightFieldProbe& probe) { return std::abs(probe.row_scale) / 16.0; }
+
+// Sizes of groups for a line of `count` views, ascending: each cuts it into a sixth fewer groups
+// than the one before, at least.
 std::vector<uint32_t> group_sizes(uint32_t count) {
   std::vector<uint32_t> sizes;
   for (uint32_t size = 1; size <= std::min(count, 255u); ++size) {
     const uint32_t groups = ceil_div(count, size);
-    if (sizes.empty() || ceil_div(count, sizes.back()) != groups) sizes.push_back(size);
+    if (sizes.empty() || 6 * groups <= 5 * ceil_div(count, sizes.back())) sizes.push_back(size);
   }
   return sizes;
 }
@@ -53,10 +59,10 @@ std::vector<uint32_t> group_sizes(uint32_t count) {
 // best so far until there is none.
 class CodingSearch {
  public:
-  CodingSearch(const LightFieldShape& shape, const ViewProvider& part, const EncodeParams& params,
+  CodingSearch(const LightFieldShape& shape, const TrialParts& parts, const EncodeParams& params,
                const LightFieldProbe& probe, const Progress& progress)
       : shape_(shape),
-        part_(part),
+        parts_(parts),
         probe_(probe),
         progress_(progress),
         lambda_(lambda_of_quality(params.extended.quality)),
@@ -69,7 +75,15 @@ class CodingSearch {
   }
 
   void find_groups() {
-    if (!go_on(1)) go_on(-1);
+    if (!go_on(1, 1)) go_on(-1, -1);
+    const double rows = rows_by_columns(probe_);
+    if (rows > kUneven || best_.ref_rows == 1) {
+      go_on(-1, 0);
+      go_on(0, 1);
+    } else if (rows < 1 / kUneven || best_.ref_cols == 1) {
+      go_on(0, -1);
+      go_on(1, 0);
+    }
   }
 
   // Finer disparities.
@@ -96,7 +110,7 @@ class CodingSearch {
 
   TrialResult trial(const EncodeParams& params) const {
     if (progress_) progress_(0, uint64_t{shape_.rows} * shape_.cols);
-    return try_coding(shape_, part_, params, probe_, trial_images(params.extended.preset));
+    return try_coding(shape_, parts_, params, probe_, trial_images(params.extended.preset));
   }
 
   bool attempt(const EncodeParams& params) {
@@ -110,13 +124,14 @@ class CodingSearch {
     return true;
   }
 
-  // Goes over to smaller (-1) or larger (1) groups as long as they are cheaper; whether it did.
-  bool go_on(int move) {
+  // Goes over to groups with fewer (-1) or more (1) rows and columns as long as they are cheaper;
+  // whether it did.
+  bool go_on(int rows, int cols) {
     const auto last = std::pair{best_.ref_rows, best_.ref_cols};
     for (bool better = true; better;) {
       EncodeParams tried = best_;
-      tried.ref_rows = neighbour(rows_, best_.ref_rows, move);
-      tried.ref_cols = neighbour(cols_, best_.ref_cols, move);
+      tried.ref_rows = neighbour(rows_, best_.ref_rows, rows);
+      tried.ref_cols = neighbour(cols_, best_.ref_cols, cols);
       better = tried_.insert({tried.ref_rows, tried.ref_cols}).second && attempt(tried);
     }
     return last != std::pair{best_.ref_rows, best_.ref_cols};
@@ -129,7 +144,7 @@ class CodingSearch {
   }
 
   const LightFieldShape& shape_;
-  const ViewProvider& part_;
+  const TrialParts& parts_;
   const LightFieldProbe& probe_;
   const Progress& progress_;
   Lambda lambda_;
@@ -141,9 +156,11 @@ class CodingSearch {
   std::set<std::pair<uint32_t, uint32_t>> tried_;
 };
 
-// The largest size in `sizes` that is at most `wanted`.
-uint32_t size_at_most(const std::vector<uint32_t>& sizes, uint32_t wanted) {
-  return *(std::upper_bound(sizes.begin(), sizes.end(), wanted) - 1);
+// The largest size of groups for a line of `count` views that is at most `wanted`, or 1.
+uint32_t size_near(uint32_t count, double wanted) {
+  const std::vector<uint32_t> sizes = group_sizes(count);
+  const auto above = std::upper_bound(sizes.begin() + 1, sizes.end(), wanted);
+  return *(above - 1);
 }
 
 // The mean squared error over RGB that halved chroma alone may cost: an eighth of the target's, or
@@ -174,28 +191,27 @@ ChromaFormat chroma_for(const ViewProvider& views, const EncodeParams& params,
 
 // Probes with the row scale that `params`, of which nothing is open, cost least with.
 LightFieldProbe probe_by_trial(const ViewProvider& views, const StreamHeader& header,
-                               const ViewProvider& part, const EncodeParams& params) {
+                               const TrialParts& parts, const EncodeParams& params) {
   const std::vector<int> row_scales = likely_row_scales(views, header);
-  LightFieldProbe usual = probe_light_field(views, header, part, row_scales.front());
+  LightFieldProbe usual = probe_light_field(views, header, row_scales.front());
   if (row_scales.size() == 1 || header.tree_height > 0) return usual;
-  LightFieldProbe other = probe_light_field(views, header, part, row_scales.back());
+  LightFieldProbe other = probe_light_field(views, header, row_scales.back());
   const auto cost = [&](const LightFieldProbe& probe) {
-    return try_coding(views.shape(), part, params, probe, trial_images(params.extended.preset))
+    return try_coding(views.shape(), parts, params, probe, trial_images(params.extended.preset))
         .cost(lambda_of_quality(params.extended.quality));
   };
   return cost(other) < cost(usual) ? other : usual;
 }
 
 // Settles by trial what is open in `asked`; for a target the quality, too.
-void search_coding(const LightFieldShape& shape, const ViewProvider& part,
-                   const EncodeParams& asked, const EncodeGoal* goal, const Progress& progress,
-                   SettledCoding& settled) {
+void search_coding(const LightFieldShape& shape, const TrialParts& parts, const EncodeParams& asked,
+                   const EncodeGoal* goal, const Progress& progress, SettledCoding& settled) {
   EncodeParams& found = settled.params;
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
   std::optional<QualitySurplus> last;
   for (int round = 0; round < kMaxRounds; ++round) {
-    CodingSearch search(shape, part, found, settled.probe, progress);
+    CodingSearch search(shape, parts, found, settled.probe, progress);
     const double first = search.surplus_db(goal);
     const bool far = round == 0 && std::abs(first) > kNearQuality * kDbPerQuality;
     if (!far && std::abs(found.extended.quality - searched) > kNearQuality) {
@@ -225,24 +241,25 @@ SettledCoding settle_coding(const ViewProvider& views, const EncodeParams& param
   // What is known of the light field is the same whatever trials choose: who takes a part of a plan
   // knows their choice before.
   EncodeParams usual = params;
-  usual.ref_rows = size_at_most(group_sizes(shape.rows), kUsualGroup);
-  usual.ref_cols = size_at_most(group_sizes(shape.cols), kUsualGroup);
+  usual.ref_rows = size_near(shape.rows, kUsualGroup);
+  usual.ref_cols = size_near(shape.cols, kUsualGroup);
   usual.extended.disparity_grid = 8;
-  if (open_groups) {
-    found.ref_rows = usual.ref_rows;
-    found.ref_cols = usual.ref_cols;
-  }
   if (found.extended.disparity_grid == 0) found.extended.disparity_grid = 8;
-  if (!found.chroma) found.chroma = chroma_for(views, found, goal);
+  if (!found.chroma) found.chroma = chroma_for(views, usual, goal);
   usual.chroma = found.chroma;
   const auto header = header_for(shape, usual);
   if (!header || params.profile == Profile::kMain) return settled;
-  const CachedViews part(views, trial_part(views, *header), cache_bytes);
-  settled.probe = probe_by_trial(views, *header, part, usual);
+  const TrialParts parts = trial_parts(views, cache_bytes);
+  settled.probe = probe_by_trial(views, *header, parts, usual);
+  if (open_groups) {
+    const double uneven = std::sqrt(rows_by_columns(settled.probe));
+    found.ref_rows = size_near(shape.rows, kUsualGroup / uneven);
+    found.ref_cols = size_near(shape.cols, kUsualGroup * uneven);
+  }
   if (!header->has(Feature::kMotionTiles) || header->tree_height > 0) return settled;
   const bool open_grid = params.extended.disparity_grid == 0 && tries_grid(params);
   if (!open_groups && goal == nullptr && !open_grid) return settled;
-  search_coding(shape, part, params, goal, progress, settled);
+  search_coding(shape, parts, params, goal, progress, settled);
   if (goal != nullptr && !params.chroma) {
     // A number of bytes says only now what chroma may cost.
     EncodeParams again = params;

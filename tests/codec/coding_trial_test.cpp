@@ -28,9 +28,8 @@ TEST(CodingTrial, IsNearTheWholeEncoding) {
   for (const bool lossless : {false, true}) {
     const SettledCoding coding = settled(field, lossless);
     const FieldViews views(field);
-    const Rect part = trial_part(views, *header_for(kTrialShape, coding.params));
-    const CachedViews tried(views, part, CachedViews::kUnlimited);
-    const TrialResult trial = try_coding(kTrialShape, tried, coding.params, coding.probe, 100);
+    const TrialParts parts = trial_parts(views, CachedViews::kUnlimited);
+    const TrialResult trial = try_coding(kTrialShape, parts, coding.params, coding.probe, 100);
     const auto encoded = encode(field, coding.params);
     ASSERT_TRUE(encoded.has_value());
     const double bits = 8 * static_cast<double>(encoded->bytes.size());
