@@ -57,10 +57,12 @@ RgbImage waves(uint32_t seed) {
 TEST(CodingTrial, GroupsFollowTheViews) {
   LightField alike(kTrialShape);
   LightField unlike(kTrialShape);
+  LightField rows(kTrialShape);  // alike in each row
   for (uint32_t row = 0; row < kTrialShape.rows; ++row) {
     for (uint32_t col = 0; col < kTrialShape.cols; ++col) {
       alike.set_view(row, col, waves(1));
       unlike.set_view(row, col, waves(row * kTrialShape.cols + col));
+      rows.set_view(row, col, waves(row));
     }
   }
   for (const bool lossless : {false, true}) {
@@ -68,6 +70,8 @@ TEST(CodingTrial, GroupsFollowTheViews) {
     EXPECT_EQ(std::pair(one.ref_rows, one.ref_cols), std::pair(6u, 6u));
     const EncodeParams many = settled(unlike, lossless).params;
     EXPECT_EQ(std::pair(many.ref_rows, many.ref_cols), std::pair(1u, 1u));
+    const EncodeParams flat = settled(rows, lossless).params;
+    EXPECT_EQ(std::pair(flat.ref_rows, flat.ref_cols), std::pair(1u, 6u));
   }
   // Few bytes are met, too, though trials for more of them settle for groups that take too many.
   const auto smallest = encode_to(unlike, {}, TargetBytes{1});
