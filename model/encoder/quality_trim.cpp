@@ -22,9 +22,6 @@ constexpr size_t kFewImages = 24;
 constexpr double kFarDb = 0.2;
 constexpr double kFarAgainDb = 0.3;
 constexpr int kMostBegins = 6;
-// Where the PSNR passes the target between two qualities of key images that are as near as this, it
-// jumps: JPEG 2000 cuts their errors off in steps.
-constexpr double kJump = 1;
 
 // The fraction of the number's multiple of the golden section, in 2^32nds: numbers whose places
 // follow each other are spread evenly.
@@ -95,16 +92,6 @@ void QualityTrim::learn(std::span<const uint64_t> squares) {
   squares_ += sum;
 }
 
-// The quality of key images that comes next, between those of which one misses the target and the
-// other one exceeds it.
-double QualityTrim::next_between(const QualitySurplus& now) {
-  (now.db < 0 ? missing_ : exceeding_) = now.quality;
-  at_jump_ = exceeding_ - missing_ <= kJump || (begins_ + 1 == kMostBegins && exceeding_ < kNone);
-  if (at_jump_) return exceeding_;
-  const double next = next_quality(now, db_per_quality_, depth_);
-  return next > missing_ && next < exceeding_ ? next : eighths((missing_ + exceeding_) / 2);
-}
-
 // Whether key images need another quality, or rounds have to aim elsewhere: the surplus of all
 // views is too far off once all are coded, or will be if those that are left are coded like key
 // images.
@@ -119,12 +106,12 @@ bool QualityTrim::begins_again() {
   if (ends && now.db >= -near_db_ && now.db <= 2 * near_db_) return false;
   if (!ends && std::abs(now.db) < std::max(last_ ? kFarAgainDb : kFarDb, 2 * unsure_db))
     return false;
-  if (begins_ == kMostBegins || at_jump_) return false;
+  if (begins_ == kMostBegins) return false;
   if (ends && !at_end) {
     aim_ *= std::pow(10.0, now.db / 10);
   } else {
     if (last_) db_per_quality_ = db_per_quality(*last_, now);
-    const double next = next_between(now);
+    const double next = next_quality(now, db_per_quality_, depth_);
     if (next == base_) return false;
     last_ = now;
     base_ = quality_ = next;

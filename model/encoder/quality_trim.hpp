@@ -38,13 +38,9 @@ class QualityTrim {
   /// Of the next round, near that of key images.
   double quality() const { return quality_; }
 
-  /// Whether no quality of key images comes nearer, so that the target may be exceeded.
-  bool at_jump() const { return at_jump_; }
-
  private:
   void learn(std::span<const uint64_t> squares);
   bool begins_again();
-  double next_between(const QualitySurplus& now);
 
   double base_;
   int depth_;
@@ -62,11 +58,6 @@ class QualityTrim {
   double spread_ = 0;  // of the views of the last round, its standard error to its mean
   int begins_ = 0;
   std::optional<QualitySurplus> last_;  // with another quality of key images
-  // Qualities of key images with which the target was missed and exceeded, the nearest ones.
-  static constexpr double kNone = 1000;
-  double missing_ = -kNone;
-  double exceeding_ = kNone;
-  bool at_jump_ = false;
 };
 
 }  // namespace hmlfc
