@@ -1,11 +1,8 @@
 #include "encoder/coding_trial.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 #include "encoder/coding_params.hpp"
