@@ -38,14 +38,18 @@ constexpr double kRecordBits = 10;
 constexpr double kTileBits = 2;
 
 // At most `count` predictive images of the last two rows and columns of groups, which are no
-// smaller than others (EXT-3), near to their references and far from them.
+// smaller than others (EXT-3), near to their references and far from them. They refer to key images
+// of these groups alone, so that few are coded.
 std::vector<ImagePos> sampled_images(const Geometry& geometry, size_t count) {
   const LevelShape& level = geometry.level(0);
+  const auto is_last = [&](ImagePos at) {
+    const ImagePos group = geometry.group_of(0, at);
+    return group.row + 2 >= level.group_rows() && group.col + 2 >= level.group_cols();
+  };
   std::vector<ImagePos> last;
   for (const ImagePos at : level.all_images()) {
-    const ImagePos group = geometry.group_of(0, at);
-    const bool among = group.row + 2 >= level.group_rows() && group.col + 2 >= level.group_cols();
-    if (among && !geometry.is_reference(0, at)) last.push_back(at);
+    if (geometry.is_reference(0, at) || !is_last(at)) continue;
+    if (std::ranges::all_of(reference_images(geometry, 0, at), is_last)) last.push_back(at);
   }
   const auto distance = [&](ImagePos at) { return distance_from_references(geometry, at); };
   std::ranges::stable_sort(last, {}, distance);

@@ -16,97 +16,114 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 template <class D>
-inline hn::Vec<D> difference(D lanes, const int16_t* target, const int16_t* predicted) {
-  const hn::Rebind<int16_t, D> words;
-  return hn::PromoteTo(lanes, hn::Sub(hn::LoadU(words, target), hn::LoadU(words, predicted)));
+inline hn::Vec<D> difference(D words, const int16_t* target, const int16_t* predicted) {
+  return hn::Sub(hn::LoadU(words, target), hn::LoadU(words, predicted));
 }
 
-template <class V>
-inline V add_product(V sum, V a, V b) {
-  return hn::Add(sum, hn::Mul(a, b));
+// `sum` and the products of two neighbouring words each.
+template <class D, class V>
+inline hn::Vec<D> add_products(D lanes, hn::Vec<D> sum, V a, V b) {
+  auto odd = hn::Zero(lanes);
+  const auto even = hn::ReorderWidenMulAccumulate(lanes, a, b, hn::Zero(lanes), odd);
+  return hn::Add(sum, hn::RearrangeToOddPlusEven(even, odd));
 }
 
-// Writes the sums of four lanes each; where vectors have one, adds that of column x.
-template <unsigned kLanes, class V>
-inline void put(V columns, unsigned x, uint32_t* out) {
-  int32_t sums[kLanes];
-  hn::StoreU(columns, hn::FixedTag<int32_t, kLanes>(), sums);
-  if constexpr (kLanes == 1) {
-    *out = (x % 4 == 0 ? 0 : *out) + static_cast<uint32_t>(sums[0]);
+// Where vectors have one word, a column; else two.
+template <unsigned kColumns>
+using Lanes = hn::FixedTag<int32_t, kColumns == 1 ? 1 : kColumns / 2>;
+
+// Writes the sums of four columns each; where vectors have one, adds that of column x.
+template <unsigned kColumns, class V>
+inline void put(V sums, unsigned x, uint32_t* out) {
+  if constexpr (kColumns == 1) {
+    *out = (x % 4 == 0 ? 0 : *out) + static_cast<uint32_t>(hn::GetLane(sums));
   } else {
-    for (unsigned i = 0; i < kLanes; i += 4) {
-      out[i / 4] = static_cast<uint32_t>(sums[i]) + static_cast<uint32_t>(sums[i + 1]) +
-                   static_cast<uint32_t>(sums[i + 2]) + static_cast<uint32_t>(sums[i + 3]);
-    }
+    const hn::Repartition<uint64_t, Lanes<kColumns>> pairs;
+    const auto both = hn::BitCast(pairs, sums);
+    const hn::Rebind<uint32_t, decltype(pairs)> squares;
+    hn::StoreU(hn::TruncateTo(squares, hn::Add(both, hn::ShiftRight<32>(both))), squares, out);
   }
 }
 
-// kLanes columns from column x on.
-template <unsigned kLanes>
+// kColumns columns from column x on.
+template <unsigned kColumns>
 void one_prediction(const SquareRow& row, const int16_t* predicted, unsigned x, uint32_t* out) {
-  const hn::FixedTag<int32_t, kLanes> lanes;
-  auto sum = hn::Set(lanes, 0);
+  const hn::FixedTag<int16_t, kColumns> words;
+  const Lanes<kColumns> lanes;
+  auto sum = hn::Zero(lanes);
   for (unsigned j = 0; j < row.rows; ++j) {
-    const auto d = difference(lanes, row.target + j * row.target_stride + x,
+    const auto d = difference(words, row.target + j * row.target_stride + x,
                               predicted + j * row.predicted_stride + x);
-    sum = add_product(sum, d, d);
+    sum = add_products(lanes, sum, d, d);
   }
-  put<kLanes>(sum, x, out + x / 4);
+  put<kColumns>(sum, x, out + x / 4);
 }
 
-// Likewise. The squared error of a mean follows from products of the errors of its two parts.
-template <unsigned kLanes>
-void all_sets(const SquareRow& row, const int16_t* const* predicted, unsigned x, uint32_t* out,
-              size_t stride) {
-  const hn::FixedTag<int32_t, kLanes> lanes;
-  const auto zero = hn::Set(lanes, 0);
+// Likewise, squares and products of the errors of K0 to K3, by reference set (MOT-7).
+template <unsigned kColumns>
+void all_products(const SquareRow& row, const int16_t* const* predicted, unsigned x, uint32_t* out,
+                  size_t stride) {
+  const hn::FixedTag<int16_t, kColumns> words;
+  const Lanes<kColumns> lanes;
+  const auto zero = hn::Zero(lanes);
   auto s0 = zero, s1 = zero, s2 = zero, s3 = zero, s01 = zero, s02 = zero, s12 = zero, s03 = zero;
   for (unsigned j = 0; j < row.rows; ++j) {
     const int16_t* target = row.target + j * row.target_stride + x;
     const size_t at = j * row.predicted_stride + x;
-    const auto d0 = difference(lanes, target, predicted[0] + at);
-    const auto d1 = difference(lanes, target, predicted[1] + at);
-    const auto d2 = difference(lanes, target, predicted[2] + at);
-    const auto d3 = difference(lanes, target, predicted[3] + at);
-    s0 = add_product(s0, d0, d0);
-    s1 = add_product(s1, d1, d1);
-    s2 = add_product(s2, d2, d2);
-    s3 = add_product(s3, d3, d3);
-    s01 = add_product(s01, d0, d1);
-    s02 = add_product(s02, d0, d2);
-    s12 = add_product(s12, d1, d2);
-    s03 = add_product(s03, d0, d3);
+    const auto d0 = difference(words, target, predicted[0] + at);
+    const auto d1 = difference(words, target, predicted[1] + at);
+    const auto d2 = difference(words, target, predicted[2] + at);
+    const auto d3 = difference(words, target, predicted[3] + at);
+    s0 = add_products(lanes, s0, d0, d0);
+    s1 = add_products(lanes, s1, d1, d1);
+    s2 = add_products(lanes, s2, d2, d2);
+    s3 = add_products(lanes, s3, d3, d3);
+    s01 = add_products(lanes, s01, d0, d1);
+    s02 = add_products(lanes, s02, d0, d2);
+    s12 = add_products(lanes, s12, d1, d2);
+    s03 = add_products(lanes, s03, d0, d3);
   }
-  // With about what rounding a mean adds to its error.
-  const auto mean = [&](auto a, auto b, auto product) {
-    const auto squares = hn::Add(hn::Add(a, b), hn::Add(product, product));
-    return hn::ShiftRight<2>(hn::Add(squares, hn::Set(lanes, 4)));
-  };
   out += x / 4;
-  put<kLanes>(s0, x, out);
-  put<kLanes>(mean(s0, s1, s01), x, out + stride);
-  put<kLanes>(mean(s0, s2, s02), x, out + 2 * stride);
-  put<kLanes>(s1, x, out + 3 * stride);
-  put<kLanes>(s2, x, out + 4 * stride);
-  put<kLanes>(mean(s1, s2, s12), x, out + 5 * stride);
-  put<kLanes>(mean(s0, s3, s03), x, out + 6 * stride);
-  put<kLanes>(s3, x, out + 7 * stride);
+  put<kColumns>(s0, x, out);
+  put<kColumns>(s01, x, out + stride);
+  put<kColumns>(s02, x, out + 2 * stride);
+  put<kColumns>(s1, x, out + 3 * stride);
+  put<kColumns>(s2, x, out + 4 * stride);
+  put<kColumns>(s12, x, out + 5 * stride);
+  put<kColumns>(s03, x, out + 6 * stride);
+  put<kColumns>(s3, x, out + 7 * stride);
 }
 
-// Columns from x on: kLanes at a time, then half as many, down to four.
-template <unsigned kLanes = HWY_LANES(int32_t)>
+// Columns from x on: kColumns at a time, then half as many, down to four.
+template <unsigned kColumns = HWY_LANES(int16_t)>
 void whole_squares(const SquareRow& row, const int16_t* const* predicted, bool sets, uint32_t* out,
                    size_t stride, unsigned x = 0) {
-  for (; x + kLanes <= row.columns; x += kLanes) {
-    sets ? all_sets<kLanes>(row, predicted, x, out, stride)
-         : one_prediction<kLanes>(row, predicted[0], x, out);
+  for (; x + kColumns <= row.columns; x += kColumns) {
+    sets ? all_products<kColumns>(row, predicted, x, out, stride)
+         : one_prediction<kColumns>(row, predicted[0], x, out);
   }
-  if constexpr (kLanes > 4) whole_squares<kLanes / 2>(row, predicted, sets, out, stride, x);
+  if constexpr (kColumns > 4) whole_squares<kColumns / 2>(row, predicted, sets, out, stride, x);
+}
+
+// Makes squared errors of means of products: these follow from the errors of the two parts, with
+// about what rounding adds.
+void means(uint32_t* out, size_t stride, unsigned squares) {
+  const auto mean = [&](size_t set, size_t a, size_t b) {
+    for (unsigned i = 0; i < squares; ++i) {
+      uint32_t& product = out[set * stride + i];
+      product = (out[a * stride + i] + out[b * stride + i] + 2 * product + 10) / 4;
+    }
+  };
+  mean(1, 0, 3);
+  mean(2, 0, 4);
+  mean(5, 3, 4);
+  mean(6, 0, 7);
 }
 
 void errors_here(const SquareRow& row, const int16_t* const* predicted, bool sets, uint32_t* out,
                  size_t stride) {
   whole_squares(row, predicted, sets, out, stride);
+  if (sets) means(out, stride, row.columns / 4);
 }
 
 void spread_here(const SpreadRows& from, int32_t* out, size_t stride) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bits/parallel.hpp"
@@ -52,16 +53,14 @@ class ExtendedLevel final : public LevelDecisions {
     parallel_for(keys.size(), [&](size_t i) { take_key(references[i], keys[i]); });
     parallel_for(part.context.size(),
                  [&](size_t i) { take_key(part.context[i], images_.original(part.context[i])); });
-    for (size_t i = 0; i < keys.size(); ++i) {
-      const auto& groups = part.groups;
-      const bool needed = std::ranges::find(groups, references[i]) != groups.end();
-      if (needed || !part.known[i]) find_disparities(references[i]);
-    }
-    if (header_.has(Feature::kLossyKeys)) {
-      parallel_for(keys.size(), [&](size_t i) {
-        if (!part.known[i]) refine(references[i], keys[i]);
-      });
-    }
+    parallel_for(keys.size(), [&](size_t i) {
+      const bool needed = std::ranges::find(part.groups, references[i]) != part.groups.end();
+      if (part.known[i] && !needed) return;
+      std::vector<RefinementTarget> sample = sampled_images(references[i]);
+      find_disparities(references[i], sample);
+      if (header_.has(Feature::kLossyKeys) && !part.known[i])
+        refine(references[i], sample, keys[i]);
+    });
     for (const ImagePos at : part.context) group(at).planes = {};
   }
 
@@ -75,7 +74,7 @@ class ExtendedLevel final : public LevelDecisions {
 
   PlaneCode decide_group(ImagePos reference) override {
     if (!motion_) return {};
-    if (!images_.shape().keyed) find_disparities(reference);
+    if (!images_.shape().keyed) find_disparities(reference, sampled_images(reference));
     return disparity_records(group(reference).grid);
   }
 
@@ -105,38 +104,43 @@ class ExtendedLevel final : public LevelDecisions {
   }
 
  private:
-  // Searches the disparities of the group of `reference`, if it has images to predict.
-  void find_disparities(ImagePos reference) {
-    const std::vector<ImagePos> members = images_.members(reference);
-    if (members.empty()) return;
-    DisparitySearch search(header_);
-    search.images = members.size();
-    std::vector<SamplePlane> planes;
-    for (const ImagePos at : spread_images(members, settings_.effort.disparity_images)) {
-      planes.push_back(motion_target(at, images_.original(at)[0]));
-      search.targets.push_back(search_target(at));
+  // Some images of the group of `reference`, with the plane that motion is decided on.
+  std::vector<RefinementTarget> sampled_images(ImagePos reference) const {
+    std::vector<RefinementTarget> sample;
+    for (const ImagePos at :
+         spread_images(images_.members(reference), settings_.effort.disparity_images)) {
+      sample.push_back({images_.original(at), at, {}, {}});
+      RefinementTarget& target = sample.back();
+      target.planes[0] = motion_target(at, std::move(target.planes[0]));
     }
-    for (size_t i = 0; i < planes.size(); ++i) search.targets[i].plane = &planes[i];
+    return sample;
+  }
+
+  // Searches the disparities of the group of `reference`, if it has images to predict.
+  void find_disparities(ImagePos reference, const std::vector<RefinementTarget>& sample) {
+    if (sample.empty()) return;
+    DisparitySearch search(header_);
+    search.images = images_.members(reference).size();
+    for (const RefinementTarget& image : sample) {
+      search.targets.push_back(search_target(image.at));
+      search.targets.back().plane = &image.planes[0];
+    }
     search.keyed = images_.shape().keyed;
     search.lambda = settings_.lambda;
     group(reference).grid = search_disparities(search, settings_.disparities);
   }
 
-  void refine(ImagePos reference, ImagePlanes& key) {
-    const std::vector<ImagePos> members = images_.members(reference);
-    std::vector<RefinementTarget> targets;
-    for (const ImagePos at : spread_images(members, settings_.effort.disparity_images)) {
-      targets.push_back({images_.original(at), at, {}, {}});
-      if (!header_.has(Feature::kTwoReferences)) continue;
-      const ImagePos other = reference_images(geometry_, images_.level(), at)[1];
+  void refine(ImagePos reference, std::vector<RefinementTarget>& sample, ImagePlanes& key) {
+    for (RefinementTarget& target : sample) {
+      if (!header_.has(Feature::kTwoReferences)) break;
+      const ImagePos other = reference_images(geometry_, images_.level(), target.at)[1];
       if (other == reference || !group(other).planes[0]) continue;
-      targets.back().other = other;
-      for (size_t p = 0; p < kPlaneCount; ++p) {
-        targets.back().other_planes[p] = &*group(other).planes[p];
-      }
+      target.other = other;
+      for (size_t p = 0; p < kPlaneCount; ++p) target.other_planes[p] = &*group(other).planes[p];
     }
-    KeyRefinement task{header_, geometry_,      reference, group(reference).grid,
-                       targets, members.size(), {},        {}};
+    const size_t images = images_.members(reference).size();
+    KeyRefinement task{header_, geometry_, reference, group(reference).grid,
+                       sample,  images,    {},        {}};
     for (size_t p = 0; p < kPlaneCount; ++p) {
       task.steps[p] = settings_.targets[p].key.steps;
       task.lambdas[p] = settings_.targets[p].residuals.lambda;

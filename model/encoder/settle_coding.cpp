@@ -35,7 +35,7 @@ constexpr double kUneven = 1.4;
 
 // Images that a trial codes.
 size_t trial_images(Preset preset) {
-  return preset == Preset::kFast ? 6 : preset == Preset::kMedium ? 16 : 32;
+  return preset == Preset::kFast ? 12 : preset == Preset::kMedium ? 16 : 32;
 }
 
 // Whether finer disparities are tried, too.

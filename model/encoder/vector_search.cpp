@@ -1,6 +1,7 @@
 #include "encoder/vector_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "encoder/error_kernels.hpp"
@@ -61,16 +62,20 @@ int64_t VectorSearch::left(const Area& area, size_t k, const MotionVector& vecto
 int64_t VectorSearch::descend(const Area& area, size_t k, MotionVector& vector) {
   int64_t least = left(area, k, vector, INT64_MAX);
   for (int32_t step = 1 << task_.sources.header.vector_precision; step > 0; step /= 2) {
-    for (bool moved = true; moved;) {
-      moved = false;
-      for (const auto& [x, y] : {std::pair{step, 0}, {-step, 0}, {0, step}, {0, -step}}) {
-        const MotionVector next = bounded_vector(vector.x + x, vector.y + y, task_.sources.rules);
-        const int64_t sum = left(area, k, next, least);
-        if (sum >= least) continue;
-        least = sum;
-        vector = next;
-        moved = true;
-      }
+    const std::array<MotionVector, 4> moves{{{step, 0}, {-step, 0}, {0, step}, {0, -step}}};
+    MotionVector before = vector;
+    size_t failed = 0;  // moves in a row that leave no less
+    for (size_t i = 0; failed < moves.size(); ++i) {
+      const MotionVector& move = moves[i % moves.size()];
+      const MotionVector next =
+          bounded_vector(vector.x + move.x, vector.y + move.y, task_.sources.rules);
+      ++failed;
+      if (next == before) continue;
+      const int64_t sum = left(area, k, next, least);
+      if (sum >= least) continue;
+      least = sum;
+      before = std::exchange(vector, next);
+      failed = 0;
     }
   }
   return least;

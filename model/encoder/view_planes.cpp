@@ -1,6 +1,7 @@
 #include "encoder/view_planes.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "arithmetic/rounding.hpp"
 #include "decoder/colour_row.hpp"
@@ -15,11 +16,11 @@ SamplePlane halved(const SamplePlane& full) {
     const auto upper = full.row(2 * y);
     const auto lower = full.row(std::min(2 * y + 1, full.height - 1));
     const auto out = half.row(y);
-    for (uint32_t x = 0; x < half.width; ++x) {
-      const uint32_t x1 = std::min(2 * x + 1, full.width - 1);
-      const int32_t sum = upper[2 * x] + upper[x1] + lower[2 * x] + lower[x1];
-      out[x] = static_cast<int16_t>(round_shift(sum, 2));
-    }
+    const auto mean = [&](uint32_t x0, uint32_t x1) {
+      return static_cast<int16_t>(round_shift(upper[x0] + upper[x1] + lower[x0] + lower[x1], 2));
+    };
+    for (uint32_t x = 0; x < full.width / 2; ++x) out[x] = mean(2 * x, 2 * x + 1);
+    if (full.width % 2 == 1) out.back() = mean(full.width - 1, full.width - 1);
   }
   return half;
 }
@@ -47,14 +48,17 @@ ImagePlanes view_planes(const ViewProvider& views, const Geometry& geometry, Ima
     SamplePlane& plane = planes[static_cast<size_t>(p)];
     const PlaneShape& shape = geometry.plane(p);
     const bool is_halved = shape.width != plane.width || shape.height != plane.height;
-    plane = in_whole_blocks(is_halved ? halved(plane) : plane, shape, geometry.block_size());
+    if (is_halved) plane = halved(plane);
+    plane = in_whole_blocks(std::move(plane), shape, geometry.block_size());
   }
   return planes;
 }
 
-SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape,
-                            unsigned block_size) {
-  SamplePlane blocks(shape.blocks_x * block_size, shape.blocks_y * block_size);
+SamplePlane in_whole_blocks(SamplePlane plane, const PlaneShape& shape, unsigned block_size) {
+  const uint32_t width = shape.blocks_x * block_size;
+  const uint32_t height = shape.blocks_y * block_size;
+  if (plane.width == width && plane.height == height) return plane;
+  SamplePlane blocks(width, height);
   copy_samples(plane, 0, 0, plane.width, plane.height, blocks);
   extend_borders(blocks, plane.width, plane.height);
   return blocks;

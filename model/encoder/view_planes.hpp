@@ -22,7 +22,7 @@ ImagePlanes view_planes(const ViewProvider& views, const Geometry& geometry, Ima
 
 /// `plane`, of the size of `shape`, enlarged to whole blocks: the nearest sample inside is
 /// repeated.
-SamplePlane in_whole_blocks(const SamplePlane& plane, const PlaneShape& shape, unsigned block_size);
+SamplePlane in_whole_blocks(SamplePlane plane, const PlaneShape& shape, unsigned block_size);
 
 /// The width x height samples at the top left of `plane`.
 SamplePlane cropped(const SamplePlane& plane, uint32_t width, uint32_t height);
