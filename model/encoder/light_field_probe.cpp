@@ -140,11 +140,14 @@ class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
   // share this.
   std::array<std::vector<KeyCurve>, kPlaneCount> curves() const {
     std::array<std::vector<KeyCurve>, kPlaneCount> curves;
+    ImagePlanes before;
     for (const int steps : kRefinementSteps) {
       if (targets_.empty() && steps > 0) break;
       ImagePlanes key = view_;
       if (steps > 0) refine_key(task(steps), key);
       for (size_t p = 0; p < kPlaneCount; ++p) {
+        // A refinement that has ended is not measured twice.
+        if (curves[p].size() > 1 && key[p].samples == before[p].samples) continue;
         const PlaneShape& shape = geometry_.plane(kPlanes[p]);
         const SamplePlane inside = cropped(key[p], shape.width, shape.height);
         std::vector<uint32_t> squares = prediction_errors(task(steps), kPlanes[p], key[p]);
@@ -154,6 +157,7 @@ class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
         };
         curves[p].emplace_back(inside, steps, precision_of(kPlanes[p], header_.depth), measure);
       }
+      before = std::move(key);
     }
     return curves;
   }

@@ -26,11 +26,12 @@ int64_t energy(const BlockValues& block) {
   return sum;
 }
 
-// A block that may get a residual: its costs by step, then width of the bias.
+// A block that may get a residual: its costs by step, then width of the bias, and the least each.
 struct Candidate {
   size_t block = 0;
   ResidualCosts weighed;
   std::vector<LevelCosts> costs;
+  std::vector<int64_t> least;
 };
 
 // The head of a tile's record. Steps count from the first one tried.
@@ -84,7 +85,8 @@ class HeadSearch {
     unsigned useful = 0;
     for (size_t k = 0; k < kBlocks; ++k) {
       if (worth[k] == 0) continue;
-      Candidate& candidate = candidates_.emplace_back(Candidate{k, {differences_[k], lambda_}, {}});
+      Candidate& candidate =
+          candidates_.emplace_back(Candidate{k, {differences_[k], lambda_}, {}, {}});
       candidate.costs.resize(steps_ * widths_);
       unsigned codes = 0;
       for (unsigned s = 0; s < steps_; ++s) {
@@ -92,10 +94,10 @@ class HeadSearch {
         codes =
             std::max(codes, candidate.weighed.weigh(step_of_code(first_step_ + s), codes_, costs));
       }
-      int64_t best = kNever;
       for (const LevelCosts& row : candidate.costs) {
-        best = std::min(best, *std::min_element(row.begin(), row.end()));
+        candidate.least.push_back(*std::ranges::min_element(row));
       }
+      const int64_t best = *std::ranges::min_element(candidate.least);
       const int64_t saved = candidate.weighed.zero() - best - least;
       if (saved <= 0) {
         candidates_.pop_back();
@@ -119,10 +121,25 @@ class HeadSearch {
                     lambda_.cost(energy(block), -bits));
   }
 
+  // What `head` would save if every block had its best level code.
+  int64_t most_gained(const Head& head) const {
+    const int64_t header = lambda_.cost(0, head.header_bits() + kMaskBitsPerBlock);
+    int64_t gain = 0;
+    for (const Candidate& candidate : candidates_) {
+      int64_t least = kNever;
+      for (unsigned s = head.first_step; s < head.first_step + (1u << head.step_bits); ++s) {
+        least = std::min(least, candidate.least[s * widths_ + head.bias]);
+      }
+      gain += std::max<int64_t>(0, candidate.weighed.zero() - header - least);
+    }
+    return gain;
+  }
+
   // All level_base and level_bits with steps [step, step + 2^step_bits - 1] and one bias width.
   void try_steps(unsigned step, unsigned step_bits, size_t bias) {
     std::array<std::array<int64_t, kLevelCodes>, kMaxLevelBits + 1> gains{};
     Head head{step, step_bits, bias, 0, 0};
+    if (most_gained(head) <= best_gain_) return;
     for (const Candidate& candidate : candidates_) {
       LevelCosts row = candidate.costs[step * widths_ + bias];
       for (unsigned s = step + 1; s < step + (1u << step_bits); ++s) {
