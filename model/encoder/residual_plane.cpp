@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <vector>
 
 #include "arithmetic/reconstruct.hpp"
@@ -42,10 +41,9 @@ class ResidualEncoder {
 
  private:
   void encode_tile(uint32_t tx, uint32_t ty) {
-    // A tile whose whole error is worth less than a record stays empty.
-    const auto error = static_cast<int64_t>(tile_error(left(tx, 0), top(ty, 0)));
+    // A tile whose error is worth less than a record stays empty.
     const int64_t record = rules_.lossless ? 0 : kLeastResidualBits;
-    if (rules_.lambda.cost(error, 0) <= rules_.lambda.cost(0, record)) {
+    if (most_saved(left(tx, 0), top(ty, 0)) <= rules_.lambda.cost(0, record)) {
       return encoded_.code.append({});
     }
     context_.blocks_inside = blocks_inside(shape_, tx, ty);
@@ -60,18 +58,24 @@ class ResidualEncoder {
     }
   }
 
-  // The squared error of the prediction in the tile from (x, y) on.
-  uint64_t tile_error(uint32_t x, uint32_t y) const {
+  // What residuals of the blocks in the tile from (x, y) on could save, or more: the squared error
+  // of 4x4 samples, each less what a block of at most this size takes in the mask.
+  int64_t most_saved(uint32_t x, uint32_t y) const {
     const uint32_t side = kTileBlocks * size_;
     const uint32_t columns = std::min(side, shape_.width - x);
     const uint32_t end = std::min(y + side, shape_.height);
+    const int64_t least =
+        rules_.lossless || size_ > 4 ? 0 : rules_.lambda.cost(0, kMaskBitsPerBlock);
     std::array<uint32_t, kTileBlocks * kMaxBlockSize / 4> squares{};
-    uint64_t sum = 0;
+    int64_t sum = 0;
     for (; y < end; y += 4) {
       square_errors({original_.row(y).data() + x, original_.width, prediction_.width, columns,
                      std::min(4u, end - y)},
                     prediction_.row(y).data() + x, squares.data());
-      sum = std::accumulate(squares.begin(), squares.begin() + ceil_div(columns, 4u), sum);
+      for (uint32_t i = 0; i < ceil_div(columns, 4u); ++i) {
+        if (squares[i] == 0) continue;
+        sum += std::max<int64_t>(0, rules_.lambda.cost(squares[i] + 1, 0) - least);
+      }
     }
     return sum;
   }
