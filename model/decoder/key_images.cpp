@@ -9,7 +9,7 @@
 #include "bits/little_endian.hpp"
 #include "bits/parallel.hpp"
 #include "decoder/jpeg2000.hpp"
-#include "decoder/memory_guard.hpp"
+#include "decoder/request_guard.hpp"
 
 namespace hmlfc {
 namespace {

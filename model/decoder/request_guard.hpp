@@ -1,12 +1,23 @@
-// Wraps what every public request does on a partial source.
+// Wraps what every public request does: want of memory as a named error, as no exception crosses
+// the library's interface, and the bytes of a partial source.
 #pragma once
+
+#include <new>
 
 #include <hmlfc/byte_source.hpp>
 #include <hmlfc/error.hpp>
 
-#include "decoder/memory_guard.hpp"
-
 namespace hmlfc {
+
+/// The Result of body(), or out_of_memory if it throws std::bad_alloc.
+template <class Body>
+auto guard_memory(const Body& body) -> decltype(body()) {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kOutOfMemory, Section::kHeader, 0);
+  }
+}
 
 /// Holds the bytes of a partial source as long as it lives; `source` may be null.
 class HeldBytes {

@@ -18,6 +18,7 @@ void CellErrors::go_to(uint32_t gx, uint32_t gy, uint32_t count) {
   cells_ = count;
   columns_ = std::min(count * side_, sources_.header.width - gx * side_);
   rows_ = std::min(side_, sources_.header.height - gy * side_);
+  look_up(1);
   for (uint32_t y = 0; y < rows_ && !sources_.keyed; ++y) {
     const SquareRow row = squares_at(0, count, y, false);
     for (uint32_t x = 0; x < columns_; ++x) {
@@ -40,11 +41,11 @@ void CellErrors::run(int32_t* errors, size_t stride) {
   if (!sources_.keyed) of_first_symbol();
   const unsigned references = sources_.two_references() ? 4 : 1;
   for (unsigned choice = 1; choice <= task_.choices; ++choice) {
+    if (choice > 1) look_up(choice);
     for (uint32_t i = 0; i < cells_; ++i) {
-      const unsigned alike = first_alike(i, choice);
-      known_[choice][i] = known_[alike][i];
+      known_[choice][i] = known_[alike_[choice][i]][i];
       const uint32_t first = i;
-      for (uint32_t next = i; i < cells_ && first_alike(i, choice) == choice; i = next) {
+      for (uint32_t next = i; i < cells_ && alike_[choice][i] == choice; i = next) {
         for (uint8_t k = 0; k < references; ++k) {
           next = predict({1, {k, k}}, i, choice, predicted_[k]);
         }
@@ -56,7 +57,7 @@ void CellErrors::run(int32_t* errors, size_t stride) {
     }
   }
   for (const PaletteEntry& symbol : symbols_) {
-    const size_t which = symbol.reference_set + (symbol.negative ? kSets : 0);
+    const size_t which = symbol.reference_set + (symbol.negative ? kReferenceSets : 0);
     for (uint32_t i = 0; i < cells_; ++i) {
       errors[i] = symbol.choice == kChoiceNone ? first_[i] : known_[symbol.choice][i][which];
     }
@@ -85,11 +86,15 @@ void CellErrors::weigh_squares(int32_t* errors) {
   }
 }
 
-// The first choice that has the disparity of `choice` in a cell.
-unsigned CellErrors::first_alike(uint32_t cell, unsigned choice) const {
-  unsigned alike = 1;
-  while (disparity(cell, alike) != disparity(cell, choice)) ++alike;
-  return alike;
+// Of one choice after the other, from the first on.
+void CellErrors::look_up(unsigned choice) {
+  for (uint32_t i = 0; i < cells_; ++i) {
+    const int32_t d = sources_.disparity(gx_ + i, gy_, choice);
+    uint8_t alike = 1;
+    while (alike < choice && disparities_[alike][i] != d) ++alike;
+    disparities_[choice][i] = d;
+    alike_[choice][i] = alike;
+  }
 }
 
 // Predicts the cells from `first` on that have one disparity, which no choice before has; returns
@@ -97,9 +102,10 @@ unsigned CellErrors::first_alike(uint32_t cell, unsigned choice) const {
 // decide on.
 uint32_t CellErrors::predict(const ReferenceSet& refs, uint32_t first, unsigned choice,
                              Samples& out) const {
-  const int32_t d = disparity(first, choice);
+  const auto& disparities = disparities_[choice];
+  const int32_t d = disparities[first];
   uint32_t end = first + 1;
-  while (end < cells_ && disparity(end, choice) == d && first_alike(end, choice) == choice) ++end;
+  while (end < cells_ && disparities[end] == d && alike_[choice][end] == choice) ++end;
   std::array<DisplacedReference, 2> parts;
   for (size_t i = 0; i < refs.count; ++i) {
     const size_t k = refs.reference[i];
@@ -121,8 +127,8 @@ SquareRow CellErrors::squares_at(uint32_t first, uint32_t end, uint32_t y, bool 
 // Weighs cells that are predicted, or the other sign of their predictions.
 void CellErrors::evaluate(uint32_t first, uint32_t end, unsigned choice, bool negative) {
   OfCell* cells = &known_[choice][first];
-  const unsigned sets = sources_.two_references() ? kSets : 1;
-  const size_t begin = negative ? kSets : 0;
+  const unsigned sets = sources_.two_references() ? kReferenceSets : 1;
+  const size_t begin = negative ? kReferenceSets : 0;
   for (uint32_t i = 0; i < end - first; ++i) std::fill_n(cells[i].begin() + begin, sets, 0);
   for (uint32_t y = 0; y < rows_; y += 4) {
     const SquareRow row = squares_at(first, end, y, negative);

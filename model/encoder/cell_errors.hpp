@@ -35,18 +35,14 @@ class CellErrors {
   static constexpr uint32_t kMaxColumns = 128;  // of a motion tile
   static constexpr uint32_t kMaxRows = 8;       // of a cell
   static constexpr uint32_t kSquares = kMaxColumns / 4;
-  static constexpr size_t kSets = 8;
 
   using Samples = std::array<int16_t, size_t{kMaxColumns} * kMaxRows>;
-  using OfCell = std::array<int32_t, 2 * kSets>;  // by reference set, of +, then of -
+  using OfCell = std::array<int32_t, 2 * kReferenceSets>;  // by reference set, of +, then of -
 
-  int32_t disparity(uint32_t cell, unsigned choice) const {
-    return sources_.disparity(gx_ + cell, gy_, choice);
-  }
+  void look_up(unsigned choice);
   uint32_t columns(uint32_t first, uint32_t end) const {
     return std::min(end * side_, columns_) - first * side_;
   }
-  unsigned first_alike(uint32_t cell, unsigned choice) const;
   uint32_t predict(const ReferenceSet& refs, uint32_t first, unsigned choice, Samples& out) const;
   SquareRow squares_at(uint32_t first, uint32_t end, uint32_t y, bool negative) const;
   void weigh_squares(int32_t* errors);
@@ -60,13 +56,16 @@ class CellErrors {
   int32_t bound_;
   uint32_t side_;  // of a cell, 4 or 8
   uint32_t gx_ = 0, gy_ = 0, cells_ = 0;
-  uint32_t columns_ = 0, rows_ = 0;                   // of samples
-  Samples minus_{};                                   // the target with the other sign
-  std::array<Samples, 4> predicted_{};                // from K0 to K3
-  std::array<uint32_t, kSets * kSquares> squares_{};  // [set][square]
+  uint32_t columns_ = 0, rows_ = 0;                            // of samples
+  Samples minus_{};                                            // the target with the other sign
+  std::array<Samples, 4> predicted_{};                         // from K0 to K3
+  std::array<uint32_t, kReferenceSets * kSquares> squares_{};  // [set][square]
   // By cell, of the first symbol, which is none where levels are not keyed.
   std::array<int32_t, kSquares> first_{};
-  std::array<std::array<OfCell, kSquares>, 10> known_{};  // [choice][cell]
+  // [choice][cell]: the disparity, the first choice that has it, and estimates.
+  std::array<std::array<int32_t, kSquares>, 10> disparities_{};
+  std::array<std::array<uint8_t, kSquares>, 10> alike_{};
+  std::array<std::array<OfCell, kSquares>, 10> known_{};
 };
 
 }  // namespace hmlfc

@@ -19,6 +19,12 @@ EncodeParams with_defaults(const EncodeParams& params);
 /// a parameter is outside its interval.
 Result<StreamHeader> header_for(const LightFieldShape& shape, const EncodeParams& params);
 
+inline constexpr const char* kOutsideInterval =
+    "an encoding parameter is outside its interval (see hmlfc encode --help)";
+
+/// Says what is wrong with `params` for a light field of `shape`; null: nothing.
+const char* problem_of(const LightFieldShape& shape, const EncodeParams& params);
+
 /// Parameters of which nothing is open, and what the light field was measured for.
 struct SettledCoding {
   EncodeParams params;

@@ -9,7 +9,7 @@
 #include "bits/parallel.hpp"
 #include "encoder/cached_views.hpp"
 #include "encoder/coding_params.hpp"
-#include "encoder/encode_checks.hpp"
+#include "encoder/encode_progress.hpp"
 #include "encoder/encode_session.hpp"
 #include "encoder/part_grid.hpp"
 #include "encoder/stream_writer.hpp"

@@ -2,6 +2,9 @@
 #include "encoder/error_kernels.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "syntax/geometry.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "encoder/error_kernels.cpp"
@@ -59,39 +62,29 @@ void one_prediction(const SquareRow& row, const int16_t* predicted, unsigned x, 
   put<kColumns>(sum, x, out + x / 4);
 }
 
-// Likewise, squares and products of the errors of K0 to K3, by reference set (MOT-7).
+// Likewise, for each reference set the product of the errors of its two parts, or of its one with
+// itself.
 template <unsigned kColumns>
 void all_products(const SquareRow& row, const int16_t* const* predicted, unsigned x, uint32_t* out,
                   size_t stride) {
   const hn::FixedTag<int16_t, kColumns> words;
   const Lanes<kColumns> lanes;
-  const auto zero = hn::Zero(lanes);
-  auto s0 = zero, s1 = zero, s2 = zero, s3 = zero, s01 = zero, s02 = zero, s12 = zero, s03 = zero;
+  hn::Vec<Lanes<kColumns>> sums[kReferenceSets];
+  for (auto& sum : sums) sum = hn::Zero(lanes);
   for (unsigned j = 0; j < row.rows; ++j) {
     const int16_t* target = row.target + j * row.target_stride + x;
-    const size_t at = j * row.predicted_stride + x;
-    const auto d0 = difference(words, target, predicted[0] + at);
-    const auto d1 = difference(words, target, predicted[1] + at);
-    const auto d2 = difference(words, target, predicted[2] + at);
-    const auto d3 = difference(words, target, predicted[3] + at);
-    s0 = add_products(lanes, s0, d0, d0);
-    s1 = add_products(lanes, s1, d1, d1);
-    s2 = add_products(lanes, s2, d2, d2);
-    s3 = add_products(lanes, s3, d3, d3);
-    s01 = add_products(lanes, s01, d0, d1);
-    s02 = add_products(lanes, s02, d0, d2);
-    s12 = add_products(lanes, s12, d1, d2);
-    s03 = add_products(lanes, s03, d0, d3);
+    hn::Vec<decltype(words)> errors[4];
+    for (size_t k = 0; k < 4; ++k) {
+      errors[k] = difference(words, target, predicted[k] + j * row.predicted_stride + x);
+    }
+    for (unsigned set = 0; set < kReferenceSets; ++set) {
+      const auto [a, b] = references_of_set(set).reference;
+      sums[set] = add_products(lanes, sums[set], errors[a], errors[b]);
+    }
   }
-  out += x / 4;
-  put<kColumns>(s0, x, out);
-  put<kColumns>(s01, x, out + stride);
-  put<kColumns>(s02, x, out + 2 * stride);
-  put<kColumns>(s1, x, out + 3 * stride);
-  put<kColumns>(s2, x, out + 4 * stride);
-  put<kColumns>(s12, x, out + 5 * stride);
-  put<kColumns>(s03, x, out + 6 * stride);
-  put<kColumns>(s3, x, out + 7 * stride);
+  for (unsigned set = 0; set < kReferenceSets; ++set) {
+    put<kColumns>(sums[set], x, out + set * stride + x / 4);
+  }
 }
 
 // Columns from x on: kColumns at a time, then half as many, down to four.
@@ -108,16 +101,15 @@ void whole_squares(const SquareRow& row, const int16_t* const* predicted, bool s
 // Makes squared errors of means of products: these follow from the errors of the two parts, with
 // about what rounding adds.
 void means(uint32_t* out, size_t stride, unsigned squares) {
-  const auto mean = [&](size_t set, size_t a, size_t b) {
-    for (unsigned i = 0; i < squares; ++i) {
-      uint32_t& product = out[set * stride + i];
-      product = (out[a * stride + i] + out[b * stride + i] + 2 * product + 10) / 4;
-    }
-  };
-  mean(1, 0, 3);
-  mean(2, 0, 4);
-  mean(5, 3, 4);
-  mean(6, 0, 7);
+  constexpr std::array<size_t, 4> kAlone{0, 3, 4, 7};  // the sets of K0 to K3
+  for (unsigned set = 0; set < kReferenceSets; ++set) {
+    const ReferenceSet refs = references_of_set(set);
+    if (refs.count == 1) continue;
+    const uint32_t* a = out + kAlone[refs.reference[0]] * stride;
+    const uint32_t* b = out + kAlone[refs.reference[1]] * stride;
+    uint32_t* both = out + set * stride;
+    for (unsigned i = 0; i < squares; ++i) both[i] = (a[i] + b[i] + 2 * both[i] + 10) / 4;
+  }
 }
 
 void errors_here(const SquareRow& row, const int16_t* const* predicted, bool sets, uint32_t* out,

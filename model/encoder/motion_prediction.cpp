@@ -18,7 +18,7 @@ std::vector<uint8_t> reference_sets(const MotionSources& sources) {
     return std::find(sources.places.begin(), end, sources.places[k]) != end;
   };
   std::vector<uint8_t> sets;
-  for (uint8_t set = 0; set < 8; ++set) {
+  for (uint8_t set = 0; set < kReferenceSets; ++set) {
     const ReferenceSet refs = references_of_set(set);
     if (repeated(refs.reference[0]) || (refs.count == 2 && repeated(refs.reference[1]))) continue;
     sets.push_back(set);

@@ -2,21 +2,9 @@
 
 #include <algorithm>
 
-#include "arithmetic/rounding.hpp"
 #include "encoder/residual_writer.hpp"
 
 namespace hmlfc {
-namespace {
-
-// The value of a signed field of `bits` bits that is nearest to `value`; 0 bits hold 0 alone.
-int32_t nearest_signed(int32_t value, unsigned bits) {
-  if (bits == 0) return 0;
-  const int32_t half = int32_t{1} << (bits - 1);
-  return clamp(value, -half, half - 1);
-}
-
-}  // namespace
-
 ResidualCosts::ResidualCosts(const BlockValues& differences, Lambda lambda)
     : lambda_(lambda), count_(differences.size()) {
   const auto values = differences.span();

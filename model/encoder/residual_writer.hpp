@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "arithmetic/rounding.hpp"
 #include "decoder/sample_plane.hpp"
 #include "syntax/tile_record.hpp"
 
@@ -22,11 +23,17 @@ struct BlockCode {
   int32_t bias = 0;
 };
 
-/// Whether a signed field of `bits` bits in [0, 14] can hold `value`; 0 bits hold 0 alone.
-constexpr bool fits_signed(int32_t value, unsigned bits) {
-  if (bits == 0) return value == 0;
+/// The value of a signed field of `bits` bits in [0, 14] that is nearest to `value`; 0 bits hold 0
+/// alone.
+constexpr int32_t nearest_signed(int32_t value, unsigned bits) {
+  if (bits == 0) return 0;
   const int32_t half = int32_t{1} << (bits - 1);
-  return value >= -half && value < half;
+  return clamp(value, -half, half - 1);
+}
+
+/// Whether such a field can hold `value`.
+constexpr bool fits_signed(int32_t value, unsigned bits) {
+  return nearest_signed(value, bits) == value;
 }
 
 /// The code of least size for `interval` whose bias fits in `bias_bits` bits in [0, 14]; of the

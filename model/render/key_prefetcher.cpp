@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "bits/parallel.hpp"
-#include "decoder/memory_guard.hpp"
+#include "decoder/request_guard.hpp"
 #include "render/key_images_of.hpp"
 #include "render/shown_image.hpp"
 

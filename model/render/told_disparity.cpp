@@ -36,10 +36,6 @@ int32_t views_apart(uint32_t cluster, int level) {
   return static_cast<int32_t>(apart);
 }
 
-int32_t offset(uint32_t from, uint32_t to) {
-  return static_cast<int32_t>(to) - static_cast<int32_t>(from);
-}
-
 }  // namespace
 
 ToldDisparity::ToldDisparity(const StreamView& stream, int level, ImagePos image)
@@ -83,8 +79,8 @@ BlockDisparity ToldDisparity::of_vector(int32_t dx, int32_t dy) const {
 // GEO-5 and GEO-6.
 BlockDisparity ToldDisparity::along(const Span& eighths, ImagePos reference) const {
   const int32_t pitch = stream_.header.row_scale == 0 ? 16 : stream_.header.row_scale;
-  const Span baseline{16 * cols_apart_ * offset(image_.col, reference.col),
-                      pitch * rows_apart_ * offset(image_.row, reference.row)};
+  const Span baseline{16 * cols_apart_ * col_offset(reference, image_),
+                      pitch * rows_apart_ * row_offset(reference, image_)};
   return with(vector_disparity(eighths, baseline),
               is_along(eighths, baseline) ? kOwnDisparity : kUncertain);
 }

@@ -189,19 +189,20 @@ ReferenceImages reference_images(const Geometry& geometry, int l, ImagePos at);
 /// The meaning of a value of reference_set: one or two of K0 to K3.
 struct ReferenceSet {
   unsigned count;                    ///< 1 or 2
-  std::array<uint8_t, 2> reference;  ///< the second has no meaning with count 1
+  std::array<uint8_t, 2> reference;  ///< twice the same with count 1
 };
+constexpr unsigned kReferenceSets = 8;
 
 /// The references of `reference_set` in [0, 7].
 constexpr ReferenceSet references_of_set(unsigned reference_set) {
-  constexpr std::array<ReferenceSet, 8> kSets{{{1, {0, 0}},
-                                               {2, {0, 1}},
-                                               {2, {0, 2}},
-                                               {1, {1, 1}},
-                                               {1, {2, 2}},
-                                               {2, {1, 2}},
-                                               {2, {0, 3}},
-                                               {1, {3, 3}}}};
+  constexpr std::array<ReferenceSet, kReferenceSets> kSets{{{1, {0, 0}},
+                                                            {2, {0, 1}},
+                                                            {2, {0, 2}},
+                                                            {1, {1, 1}},
+                                                            {1, {2, 2}},
+                                                            {2, {1, 2}},
+                                                            {2, {0, 3}},
+                                                            {1, {3, 3}}}};
   return kSets[reference_set];
 }
 

@@ -1,4 +1,4 @@
-// Checks parameters for all ways to encode, and reports their progress.
+// The progress of all ways to encode, and what they report where memory is out.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,10 @@
 
 namespace hmlfc {
 
-inline constexpr const char* kOutsideInterval =
-    "an encoding parameter is outside its interval (see hmlfc encode --help)";
-
 inline tl::unexpected<EncodeError> memory_is_out() {
   return tl::unexpected(
       EncodeError{"out of memory: encode fewer or smaller views, or free some memory", true});
 }
-
-/// Says what is wrong with `params` for a light field of `shape`; null: nothing.
-const char* problem_of(const LightFieldShape& shape, const EncodeParams& params);
 
 /// Counts finished images and reports them, one thread at a time.
 class ProgressCounter {
