@@ -26,8 +26,8 @@ inline hn::Vec<D> difference(D words, const int16_t* target, const int16_t* pred
 // `sum` and the products of two neighbouring words each.
 template <class D, class V>
 inline hn::Vec<D> add_products(D lanes, hn::Vec<D> sum, V a, V b) {
-  auto odd = hn::Zero(lanes);
-  const auto even = hn::ReorderWidenMulAccumulate(lanes, a, b, hn::Zero(lanes), odd);
+  auto odd = hn::Set(lanes, 0);
+  const auto even = hn::ReorderWidenMulAccumulate(lanes, a, b, hn::Set(lanes, 0), odd);
   return hn::Add(sum, hn::RearrangeToOddPlusEven(even, odd));
 }
 
@@ -39,7 +39,9 @@ using Lanes = hn::FixedTag<int32_t, kColumns == 1 ? 1 : kColumns / 2>;
 template <unsigned kColumns, class V>
 inline void put(V sums, unsigned x, uint32_t* out) {
   if constexpr (kColumns == 1) {
-    *out = (x % 4 == 0 ? 0 : *out) + static_cast<uint32_t>(hn::GetLane(sums));
+    int32_t column;
+    hn::StoreU(sums, Lanes<1>(), &column);
+    *out = (x % 4 == 0 ? 0 : *out) + static_cast<uint32_t>(column);
   } else {
     const hn::Repartition<uint64_t, Lanes<kColumns>> pairs;
     const auto both = hn::BitCast(pairs, sums);
@@ -53,7 +55,7 @@ template <unsigned kColumns>
 void one_prediction(const SquareRow& row, const int16_t* predicted, unsigned x, uint32_t* out) {
   const hn::FixedTag<int16_t, kColumns> words;
   const Lanes<kColumns> lanes;
-  auto sum = hn::Zero(lanes);
+  auto sum = hn::Set(lanes, 0);
   for (unsigned j = 0; j < row.rows; ++j) {
     const auto d = difference(words, row.target + j * row.target_stride + x,
                               predicted + j * row.predicted_stride + x);
@@ -70,7 +72,7 @@ void all_products(const SquareRow& row, const int16_t* const* predicted, unsigne
   const hn::FixedTag<int16_t, kColumns> words;
   const Lanes<kColumns> lanes;
   hn::Vec<Lanes<kColumns>> sums[kReferenceSets];
-  for (auto& sum : sums) sum = hn::Zero(lanes);
+  for (auto& sum : sums) sum = hn::Set(lanes, 0);
   for (unsigned j = 0; j < row.rows; ++j) {
     const int16_t* target = row.target + j * row.target_stride + x;
     hn::Vec<decltype(words)> errors[4];

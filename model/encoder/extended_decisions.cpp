@@ -229,14 +229,9 @@ class ExtendedLevel final : public LevelDecisions {
   }
 
   MotionSources motion_sources(ImagePos at) {
-    const bool keyed = images_.shape().keyed;
-    return {header_,
-            geometry_,
-            vector_rules(header_),
-            at,
-            keyed,
-            reference_images(geometry_, images_.level(), at),
-            group(at).grid};
+    const VectorRules rules = vector_rules(header_);
+    const ReferenceImages places = reference_images(geometry_, images_.level(), at);
+    return {header_, geometry_, rules, at, images_.shape().keyed, places, group(at).grid};
   }
 
   ReferencePlanes reference_planes(const ReferenceImages& places, size_t plane) {

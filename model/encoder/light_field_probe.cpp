@@ -179,14 +179,9 @@ class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
   }
 
   KeyRefinement task(int steps) const {
-    return {header_,
-            geometry_,
-            middle_,
-            grid_,
-            targets_,
-            std::max(targets_.size(), kUsualImages),
-            {kUsualLambda, kUsualLambda, kUsualLambda},
-            {steps, steps, steps}};
+    constexpr std::array kLambdas{kUsualLambda, kUsualLambda, kUsualLambda};
+    const size_t images = std::max(targets_.size(), kUsualImages);
+    return {header_, geometry_, middle_, grid_, targets_, images, kLambdas, {steps, steps, steps}};
   }
 
   // What coding makes of plane p of `key`, from which predictions have the errors `squares`.

@@ -33,6 +33,8 @@ template <class D>
 using Vec = typename D::Vector;
 template <class T, class D>
 using Rebind = FixedTag<T, D::kLanes>;
+template <class T, class D>
+using Repartition = FixedTag<T, D::kLanes * sizeof(TFromD<D>) / sizeof(T)>;
 
 template <class D>
 inline Vec<D> Set(D, TFromD<D> value) {
@@ -71,6 +73,25 @@ inline Vec<D> PromoteTo(D, V vector) {
 template <class D, class V>
 inline Vec<D> DemoteTo(D, V vector) {  // of values that fit
   return __builtin_convertvector(vector, Vec<D>);
+}
+template <class D, class V>
+inline Vec<D> TruncateTo(D, V vector) {
+  return __builtin_convertvector(vector, Vec<D>);
+}
+template <class D, class V>
+inline Vec<D> BitCast(D, V vector) {
+  return __builtin_bit_cast(Vec<D>, vector);
+}
+template <class D, class V>
+inline Vec<D> ReorderWidenMulAccumulate(D lanes, V a, V b, Vec<D> sum, Vec<D>& other_sum) {
+  const Vec<D> a2 = BitCast(lanes, a);
+  const Vec<D> b2 = BitCast(lanes, b);
+  other_sum += (a2 >> 16) * (b2 >> 16);
+  return sum + (a2 << 16 >> 16) * (b2 << 16 >> 16);
+}
+template <class V>
+inline V RearrangeToOddPlusEven(V sum, V other_sum) {
+  return sum + other_sum;
 }
 
 }  // namespace hwy::one_lane
