@@ -86,7 +86,7 @@ void CellErrors::weigh_squares(int32_t* errors) {
   }
 }
 
-// Of one choice after the other, from the first on.
+// Looks up the disparities of `choice` in the cells, after those of all choices before it.
 void CellErrors::look_up(unsigned choice) {
   for (uint32_t i = 0; i < cells_; ++i) {
     const int32_t d = sources_.disparity(gx_ + i, gy_, choice);

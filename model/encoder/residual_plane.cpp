@@ -59,7 +59,8 @@ class ResidualEncoder {
   }
 
   // What residuals of the blocks in the tile from (x, y) on could save, or more: the squared error
-  // of 4x4 samples, each less what a block of at most this size takes in the mask.
+  // of 4x4 samples, each less what a block of at most this size takes in the mask. HeadSearch adds
+  // 1 for each block, of which there are up to four.
   int64_t most_saved(uint32_t x, uint32_t y) const {
     const uint32_t side = kTileBlocks * size_;
     const uint32_t columns = std::min(side, shape_.width - x);
@@ -74,7 +75,7 @@ class ResidualEncoder {
                     prediction_.row(y).data() + x, squares.data());
       for (uint32_t i = 0; i < ceil_div(columns, 4u); ++i) {
         if (squares[i] == 0) continue;
-        sum += std::max<int64_t>(0, rules_.lambda.cost(squares[i] + 1, 0) - least);
+        sum += std::max<int64_t>(0, rules_.lambda.cost(squares[i] + 4, 0) - least);
       }
     }
     return sum;
