@@ -90,6 +90,7 @@ class Encode(CliTest):
         self.assertEqual(got, [[3, 2], 1, 8, 5, "444"])
         level = {"level": 0, "rows": 3, "cols": 4, "ref_rows": 2, "ref_cols": 3, "key_images": 0, "keys": []}
         self.assertEqual(info["levels"][1], level)
+        self.noted("beyond 2 no images", *"encode views -o b.hmlfc --profile main --height 3".split())
 
     def test_thresholds(self):
         main = ["--profile", "main"]

@@ -129,6 +129,10 @@ ExitCode tell_outcome(const EncodeOptions& options, const EncodeOutcome& outcome
   } else {
     print_outcome_text(options, outcome);
   }
+  const int asked = options.coding.params.tree_height.value_or(0);
+  if (const int height = outcome.stream.header.tree_height; asked > height) {
+    note(fmt::format("--height {}: beyond {} no images are left to join", asked, height));
+  }
   return is_on_target(options, outcome) ? ExitCode::kDone : ExitCode::kMissed;
 }
 
