@@ -47,14 +47,14 @@ float psnr_of(double mean_squared_error, SamplePrecision precision) {
   return static_cast<float>(std::max(psnr, 1.0));
 }
 
-// Layer after layer at quality `psnr`, 0 for lossless; those before the last are coarser.
-void set_layers(opj_cparameters_t& parameters, unsigned layers, float psnr) {
+// Layer after layer at quality `psnr`, 0 for lossless; those before the last are each `step`
+// coarser.
+void set_layers(opj_cparameters_t& parameters, unsigned layers, float psnr, float step) {
   constexpr float kFinest = 40;  // of layers before a lossless one
-  constexpr float kStep = 6;
   parameters.tcp_numlayers = static_cast<int>(layers);
   float quality = psnr > 0 ? psnr : kFinest;
   for (unsigned layer = layers - 1; layer > 0; --layer) {
-    quality = std::max(quality - kStep, 1.0F);
+    quality = std::max(quality - step, 1.0F);
     parameters.tcp_distoratio[layer - 1] = quality;
   }
   parameters.tcp_distoratio[layers - 1] = psnr;
@@ -86,7 +86,7 @@ void set_options(opj_cparameters_t& parameters, const CodestreamOptions& options
 
 // The samples, or nothing, be it for the packets or for want of memory.
 std::optional<SamplePlane> try_decode(std::span<const uint8_t> codestream, uint32_t width,
-                                      uint32_t height) {
+                                      uint32_t height, unsigned layers) {
   constexpr int kNoOtherThread = 0;  // whatever OPJ_NUM_THREADS says
   Source source{codestream};
   const Stream stream = open_source(source);
@@ -96,6 +96,7 @@ std::optional<SamplePlane> try_decode(std::span<const uint8_t> codestream, uint3
 
   opj_dparameters_t parameters;
   opj_set_default_decoder_parameters(&parameters);
+  parameters.cp_layer = layers;
   opj_image_t* raw = nullptr;
   const bool has_head = opj_setup_decoder(codec.get(), &parameters) &&
                         opj_decoder_set_strict_mode(codec.get(), OPJ_TRUE) &&
@@ -119,9 +120,9 @@ std::optional<SamplePlane> try_decode(std::span<const uint8_t> codestream, uint3
 // OpenJPEG does not say why it fails. The C library leaves ENOMEM in errno where it could not
 // allocate, and nothing else that OpenJPEG calls does.
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
-                                           uint32_t height) {
+                                           uint32_t height, unsigned layers) {
   errno = 0;
-  auto plane = try_decode(codestream, width, height);
+  auto plane = try_decode(codestream, width, height, layers);
   if (!plane && errno == ENOMEM) throw std::bad_alloc();
   return plane;
 }
@@ -140,7 +141,8 @@ std::optional<std::vector<uint8_t>> encode_jpeg2000(const SamplePlane& plane,
   opj_set_default_encoder_parameters(&parameters);
   parameters.numresolution = resolutions(plane);
   parameters.irreversible = 0;
-  set_layers(parameters, options.layers, psnr_of(options.mean_squared_error, precision));
+  set_layers(parameters, options.layers, psnr_of(options.mean_squared_error, precision),
+             options.layer_db);
   set_options(parameters, options);
   // The default comment names the library's version, which would make the bytes depend on it.
   char no_comment[] = "";

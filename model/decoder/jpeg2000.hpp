@@ -26,7 +26,8 @@ struct CodestreamOptions {
   /// About what coding passes that are cut off leave (EXT-6); 0: lossless.
   double mean_squared_error = 0;
   unsigned style = 0;        ///< of code-blocks: bits 0..5 of COD
-  unsigned layers = 1;       ///< [1, 20]; each is about 6 dB better than the one before
+  unsigned layers = 1;       ///< [1, 20]; each is `layer_db` better than the one before
+  float layer_db = 6;        ///< about
   unsigned progression = 0;  ///< of COD, [0, 4]
   bool sop = false;          ///< SOP marker segments before packets
   bool eph = false;          ///< EPH markers after packet headers
@@ -51,10 +52,11 @@ bool has_key_image_head(std::span<const uint8_t> codestream, uint32_t width, uin
 uint64_t code_blocks_of(std::span<const uint8_t> codestream, uint32_t width, uint32_t height);
 
 /// The samples of a codestream that has_key_image_head has accepted for this size, clamped to the
-/// interval of its precision (KEY-4); coding passes may be missing (EXT-6). Nothing where its
-/// packets cannot be decoded. Throws std::bad_alloc where memory runs out.
+/// interval of its precision (KEY-4); coding passes may be missing (EXT-6). `layers`: the first
+/// that are decoded, 0 for all. Nothing where its packets cannot be decoded. Throws std::bad_alloc
+/// where memory runs out.
 std::optional<SamplePlane> decode_jpeg2000(std::span<const uint8_t> codestream, uint32_t width,
-                                           uint32_t height);
+                                           uint32_t height, unsigned layers = 0);
 
 /// Codes `plane` with the reversible 5/3 transform. The bytes are the same on every machine and for
 /// any number of threads. Nothing where OpenJPEG fails, which means it is out of memory.

@@ -66,13 +66,21 @@ class KeyCurve {
     KeyErrors errors;
   };
 
+  struct Coded {
+    std::vector<uint8_t> codestream;
+    std::vector<double> sizes;  // of its first layers, in bytes
+  };
+
   struct Priced {
     KeyPoint key;
     double cost;
   };
 
   Priced least(double weight, Lambda lambda) const;
-  double bytes(int point) const;
+  // The codestream that codes `point` and errors near to it.
+  const Coded& coded(int point) const;
+  double bits_at(int point) const;
+  double bits_a_sample(double bytes) const;
   const Measured& measured(int point) const;
 
   SamplePlane plane_;
@@ -80,8 +88,8 @@ class KeyCurve {
   SamplePrecision precision_;
   int error_count_;
   KeyMeasure measure_;
-  mutable std::map<int, double> bytes_;  // by number of the error, from fine to coarse
-  mutable std::map<int, Measured> measured_;
+  mutable std::map<int, Coded> coded_;
+  mutable std::map<int, Measured> measured_;  // by number of the error, from fine to coarse
 };
 
 }  // namespace hmlfc

@@ -21,9 +21,9 @@ LIMITS = {
     "testbench/": 10243,
     "bench/": 4000,
     "rtl/formal/": 2500,
-    "tools/": 40975,
-    "model/": 24905,
-    "": 155380,
+    "tools/": 40936,
+    "model/": 25048,
+    "": 155496,
 }
 
 
