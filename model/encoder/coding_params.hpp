@@ -29,7 +29,8 @@ const char* problem_of(const LightFieldShape& shape, const EncodeParams& params)
 struct SettledCoding {
   EncodeParams params;
   LightFieldProbe probe;
-  double db_per_quality = kDbPerQuality;  ///< near the goal, as far as trials can say
+  double db_per_quality = kDbPerQuality;        ///< near the goal, as far as trials can say
+  std::optional<EncodeForecast> forecast = {};  ///< for one encoding, where there were trials
 };
 
 /// Settles by trial what with_defaults() leaves open: the chroma format, and the reference groups

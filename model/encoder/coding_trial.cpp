@@ -1,6 +1,7 @@
 #include "encoder/coding_trial.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <mutex>
 #include <vector>
@@ -82,9 +83,11 @@ class Trial {
       const std::scoped_lock lock(mutex_);
       (key ? key_error_ : error_).add(error);  // integers: threads may add in any order
       ++(key ? keys_ : predicted_);
+      if (key) key_seconds_ = seconds();
     };
     coded_ = session_.no_images();
     session_.encode_part(params, sample_, observer, coded_);
+    seconds_ = seconds();
   }
 
   // `scale`: pixels of a whole view to one of the part. `key_bits`: of a key image of whole views.
@@ -111,10 +114,16 @@ class Trial {
                      extrapolated(key_squares, keys_, groups)),
             scale * (extrapolated(bits, predicted_, images - groups) +
                      extrapolated(disparities, described, groups)) +
-                groups * key_bits};
+                groups * key_bits,
+            scale * (extrapolated(seconds_ - key_seconds_, predicted_, images - groups) +
+                     extrapolated(key_seconds_, keys_, groups))};
   }
 
  private:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
   static double bits_of(const PlaneCode& code) {
     double bits = 0;
     for (const uint32_t size : code.record_sizes) {
@@ -134,6 +143,9 @@ class Trial {
   ErrorSums error_;  // of the predictive images
   ErrorSums key_error_;
   std::mutex mutex_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double key_seconds_ = 0;  // until the last key image was coded
+  double seconds_ = 0;
 };
 
 // The bits of one key image of whole views, as the probe measured it.
@@ -167,7 +179,7 @@ TrialResult try_coding(const LightFieldShape& whole, const TrialParts& parts,
   const auto header = header_for(tried, params);
   if (!header || !whole_header) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    return {kInfinite, kInfinite};
+    return {kInfinite, kInfinite, 0};
   }
   const auto pixels = [](const LightFieldShape& shape) {
     return static_cast<double>(shape.width) * shape.height;
@@ -180,6 +192,7 @@ TrialResult try_coding(const LightFieldShape& whole, const TrialParts& parts,
     const TrialResult result = Trial(part, *header, params, probe, images).result(scale, key_bits);
     sum.rgb_squares += result.rgb_squares;
     sum.bits += result.bits;
+    sum.seconds += result.seconds;
   }
   return sum;
 }

@@ -24,6 +24,7 @@ TrialParts trial_parts(const ViewProvider& views, uint64_t max_bytes);
 struct TrialResult {
   double rgb_squares = 0;  ///< as in ErrorSums
   double bits = 0;
+  double seconds = 0;  ///< here and now
 
   /// D + lambda R, in units of squared error of plane Y.
   double cost(Lambda lambda) const {

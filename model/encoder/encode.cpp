@@ -30,11 +30,17 @@ EncodedStream encode_once(EncodeSession& session, EncodeParams params, bool last
   return {session.stream(*images), images->error, params};
 }
 
+// What a PSNR takes, and a number of bytes, as a multiple of one encoding; as measured: 1.1 to 6.
+constexpr double kEncodingsOfPsnr = 1.5;
+constexpr double kEncodingsOfBytes = 3;
+
 // Checks and settles `params` for `goal`, null: their quality; calls body(session, settled coding).
 template <class Body>
 Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
-                    const EncodeGoal* goal, const Progress& progress, const Body& body) {
-  const EncodeParams complete = with_defaults(params);
+                    const EncodeGoal* goal, const Progress& progress, const ForecastSink& forecast,
+                    const Body& body) {
+  EncodeParams complete = with_defaults(params);
+  if (goal != nullptr && goal->psnr() != nullptr) complete.chroma = params.chroma;  // by its PSNR
   if (const char* problem = problem_of(light_field.shape(), params)) return refused(problem);
   try {
     Encoded encoded;
@@ -45,6 +51,12 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
       if (!header) {
         encoded = refused(kOutsideInterval);
         return;
+      }
+      if (forecast && settled.forecast) {
+        const double encodings = goal == nullptr           ? 1
+                                 : goal->psnr() != nullptr ? kEncodingsOfPsnr
+                                                           : kEncodingsOfBytes;
+        forecast({encodings * settled.forecast->seconds, settled.forecast->bytes});
       }
       EncodeSession session(views, *header, settled.probe);
       encoded = body(session, settled);
@@ -57,16 +69,24 @@ Encoded run_encoder(const LightField& light_field, const EncodeParams& params,
 
 }  // namespace
 
-Encoded encode(const LightField& light_field, const EncodeParams& params,
-               const Progress& progress) {
-  return run_encoder(light_field, params, nullptr, progress,
+Encoded encode(const LightField& light_field, const EncodeParams& params, const Progress& progress,
+               const ForecastSink& forecast) {
+  return run_encoder(light_field, params, nullptr, progress, forecast,
                      [&](EncodeSession& session, const SettledCoding& settled) {
                        return encode_once(session, settled.params, true, progress);
                      });
 }
 
+bool seems_transposed(const LightField& light_field) {
+  EncodeParams params = with_defaults({.ref_rows = 1, .ref_cols = 1});
+  params.chroma = ChromaFormat::k444;
+  const auto header = header_for(light_field.shape(), params);
+  return header && seems_transposed(FieldViews(light_field), *header);
+}
+
 Encoded encode_to(const LightField& light_field, const EncodeParams& params,
-                  const EncodeTarget& target, const Progress& progress) {
+                  const EncodeTarget& target, const Progress& progress,
+                  const ForecastSink& forecast) {
   const EncodeGoal goal(target);
   if (goal.psnr() != nullptr && !(goal.psnr()->db >= 1 && goal.psnr()->db <= 100)) {
     return refused("the target PSNR must lie in [1, 100] dB");
@@ -90,17 +110,17 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
       return encode_once(session, tried, false, progress);
     });
   };
-  Encoded found = run_encoder(light_field, lossy, &goal, progress, search);
+  Encoded found = run_encoder(light_field, lossy, &goal, progress, forecast, search);
   if (!found || goal.is_met(goal.surplus_db(*found, shape))) return found;
   if (!goal.is_least()) {  // what trials settled for more bytes may take too many
     lossy.extended.quality = found->params.extended.quality;
     if (!params.chroma) lossy.chroma = ChromaFormat::k420;
-    Encoded again = run_encoder(light_field, lossy, nullptr, progress, search);
+    Encoded again = run_encoder(light_field, lossy, nullptr, progress, {}, search);
     return again && again->bytes.size() < found->bytes.size() ? again : found;
   }
   if (params.chroma || found->params.chroma == ChromaFormat::k444) return found;
   lossy.chroma = ChromaFormat::k444;  // what halved chroma costs one view is not what it costs all
-  return run_encoder(light_field, lossy, &goal, progress, search);
+  return run_encoder(light_field, lossy, &goal, progress, {}, search);
 }
 
 }  // namespace hmlfc

@@ -69,6 +69,11 @@ class EncodeGoal {
   /// percent of the bytes.
   double tolerance_db() const { return is_least() ? 0.03 : kDbPerDoubling * 0.0286; }
 
+  /// What so many steps of quality more multiply bytes with.
+  static double bytes_for(double steps) {
+    return std::exp2(steps * kDbPerQuality / kDbPerDoubling);
+  }
+
   /// The least PSNR, if that is the target.
   const TargetPsnr* psnr() const { return std::get_if<TargetPsnr>(&target_); }
 

@@ -30,6 +30,8 @@ constexpr int64_t kNoResidual = int64_t{1} << 40;
 constexpr std::array kRowScales{4, 5, 8, 11, 12, 13, 14, 18, 20, 21, 24, 27, 32, 48, 64};
 constexpr Lambda kFineLambda{int64_t{256} << 2};
 constexpr double kBelievedError = 0.95;
+// Rows and columns that predict with this share of the error, exchanged, are taken for exchanged.
+constexpr double kTransposedError = 0.75;
 // The lambda of quality 60, and the images of a group of 5x5: what a key image costs hardly depends
 // on either.
 constexpr Lambda kUsualLambda{int64_t{256} << 5};
@@ -78,6 +80,12 @@ class DisparityProbe {
       targets_.push_back({nullptr, {nullptr, rows, cols}, {}});
       planes_.push_back(view_planes(views, Geometry(header), at)[0]);
     }
+  }
+
+  // As if the grid's rows were its columns.
+  void transpose() {
+    for (SearchTarget& target : targets_)
+      std::swap(target.first.row_offset, target.first.col_offset);
   }
 
   // Of all blocks, as far as the limit allows.
@@ -215,6 +223,17 @@ class KeyProbe : public std::enable_shared_from_this<KeyProbe> {
 };
 
 }  // namespace
+
+bool seems_transposed(const ViewProvider& views, const StreamHeader& header) {
+  if (header.rows == 1 || header.cols == 1) return false;
+  DisparityProbe probe(views, header);
+  const auto error = [&] {
+    return static_cast<double>(std::min(probe.range(-16).error, probe.range(16).error));
+  };
+  const double as_it_is = error();
+  probe.transpose();
+  return error() < kTransposedError * as_it_is;
+}
 
 std::vector<int> likely_row_scales(const ViewProvider& views, const StreamHeader& header) {
   if (!header.has(Feature::kSharedDisparity) || header.rows == 1) return {16};

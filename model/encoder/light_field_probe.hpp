@@ -24,6 +24,9 @@ struct LightFieldProbe {
   std::array<double, kPlaneCount> key_bits{};
 };
 
+/// Whether views around the middle are predicted far better with rows taken for columns.
+bool seems_transposed(const ViewProvider& views, const StreamHeader& header);
+
 /// The row scales that may be the views': the better one of 16 and -16, for rows of cameras as far
 /// apart as columns, then another one where that predicts the views around the middle better.
 std::vector<int> likely_row_scales(const ViewProvider& views, const StreamHeader& header);

@@ -25,6 +25,8 @@ constexpr double kUsualGroup = 5;
 constexpr int kMaxRounds = 3;
 constexpr double kNextQuality = 2;
 constexpr double kNearQuality = 8;
+// What counts as the surplus of a coding without errors.
+constexpr double kMostSurplusDb = 100;
 // The share by which a coding has to be cheaper than what it replaces: trials are that exact.
 constexpr double kMatters = 0.003;
 // Views that are all key images have no geometry, and no block decodes without all of its view.
@@ -95,10 +97,12 @@ class CodingSearch {
   }
 
   const EncodeParams& best() const { return best_; }
+  EncodeForecast forecast() const { return {best_result_.seconds, best_result_.bits / 8}; }
 
   // By how much it exceeds `goal`, as far as trials can say; 0 without one.
   double surplus_db(const EncodeGoal* goal) const {
-    return goal == nullptr ? 0 : goal->surplus_db(psnr_db(), best_result_.bits / 8);
+    if (goal == nullptr) return 0;
+    return std::min(kMostSurplusDb, goal->surplus_db(psnr_db(), best_result_.bits / 8));
   }
 
  private:
@@ -210,6 +214,8 @@ void search_coding(const LightFieldShape& shape, const TrialParts& parts, const 
   const bool open_groups = asked.ref_rows == 0 || asked.ref_cols == 0;
   double searched = std::numeric_limits<double>::infinity();  // the quality of the last search
   std::optional<QualitySurplus> last;
+  double low = lowest_quality(shape.depth) - 1;  // what is too low, as far as trials can say
+  double high = kHighestQuality + 1;
   for (int round = 0; round < kMaxRounds; ++round) {
     CodingSearch search(shape, parts, found, settled.probe, progress);
     const double first = search.surplus_db(goal);
@@ -220,11 +226,15 @@ void search_coding(const LightFieldShape& shape, const TrialParts& parts, const 
       searched = found.extended.quality;
     }
     found = search.best();
+    settled.forecast = search.forecast();
     if (goal == nullptr) break;
     const QualitySurplus now{found.extended.quality, search.surplus_db(goal)};
     if (last) settled.db_per_quality = db_per_quality(*last, now);
-    found.extended.quality = next_quality(now, settled.db_per_quality, shape.depth);
-    if (std::abs(found.extended.quality - now.quality) < kNextQuality) break;
+    (now.db < 0 ? low : high) = now.quality;
+    double& next = found.extended.quality = next_quality(now, settled.db_per_quality, shape.depth);
+    if (next <= low || next >= high) next = std::round((low + high) * 4) / 8;
+    settled.forecast->bytes *= EncodeGoal::bytes_for(next - now.quality);
+    if (std::abs(next - now.quality) < kNextQuality) break;
     last = now;
   }
 }

@@ -83,13 +83,13 @@ class Encode(CliTest):
 
     def test_parameters_reach_the_stream(self):
         options = "--cluster 3x2 --height 1 --block 8 --window 5 --references 2x3 --chroma 444"
-        main = ["--profile", "main", "--threshold-ref", 11, "--threshold-pred", 222]
-        self.encode(*options.split(), *main)
+        self.encode(*options.split(), *"--profile main --threshold-ref 11 --threshold-pred 222".split())
         info = self.hmlfc_json("info", "a.hmlfc")
         got = [info[key] for key in ("cluster", "tree_height", "block", "window", "chroma")]
         self.assertEqual(got, [[3, 2], 1, 8, 5, "444"])
         level = {"level": 0, "rows": 3, "cols": 4, "ref_rows": 2, "ref_cols": 3, "key_images": 0, "keys": []}
         self.assertEqual(info["levels"][1], level)
+        self.noted("if rows and columns are exchanged", "encode", "views", "-o", "b.hmlfc", "--names", "{col}_{row}.png")
         self.noted("beyond 2 no images", *"encode views -o b.hmlfc --profile main --height 3".split())
 
     def test_thresholds(self):

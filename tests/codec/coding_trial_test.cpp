@@ -73,6 +73,7 @@ TEST(CodingTrial, GroupsFollowTheViews) {
     const EncodeParams flat = settled(rows, lossless).params;
     EXPECT_EQ(std::pair(flat.ref_rows, flat.ref_cols), std::pair(1u, 6u));
   }
+  EXPECT_EQ(encode_to(unlike, {}, TargetPsnr{90})->error.rgb_squares, 0u);
   // Few bytes are met, too, though trials for more of them settle for groups that take too many.
   const auto smallest = encode_to(unlike, {}, TargetBytes{1});
   const size_t most = smallest->bytes.size() * 6 / 5;

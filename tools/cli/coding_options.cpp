@@ -80,7 +80,7 @@ void add_structure_options(CLI::App& app, CodingOptions& options) {
   add_choice(
       app, "--chroma", params.chroma,
       {{"420", std::optional(ChromaFormat::k420)}, {"444", std::optional(ChromaFormat::k444)}},
-      "Chroma at half or full resolution (main 420)")
+      "Chroma at half or full resolution (main 420 unless for a PSNR)")
       ->default_str("");
 }
 

@@ -203,7 +203,7 @@ void encode_parts(DividedEncoder& encoder, const EncodeOptions& options, size_t 
   for (size_t part = first; part < last; ++part) {
     const auto coded = encoder.encode_part(part, progress.callback());
     if (!coded) throw encode_failure(options.input, coded.error());
-    note_forecast(part + 1 - first, last - first, clock.wall_seconds());
+    note_forecast(part + 1 - first, last - first, clock.wall_seconds(), "parts");
   }
 }
 

@@ -72,15 +72,29 @@ Input load(const EncodeOptions& options) {
   return {std::move(field), std::move(rig)};
 }
 
-EncodedStream encode_input(const Input& input, const EncodeOptions& options) {
+EncodedStream encode_input(const Input& input, const EncodeOptions& options,
+                           EncodeOutcome& outcome) {
   terminal::ProgressBar progress("Encoding", "images");
+  const Clock clock;
+  bool told = false;
+  const auto on_progress = [&](uint64_t done, uint64_t total) {
+    progress.update(done, total);
+    if (told || done == 0) return;
+    told = 8 * done >= total;
+    note_forecast(done, total, clock.wall_seconds(), "images");
+  };
+  const auto on_forecast = [&](const EncodeForecast& forecast) {
+    told = true;
+    outcome.forecast = forecast;
+    note_forecast(forecast);
+  };
   const EncodeParams& params = options.coding.params;
   auto target = target_of(options.coding, input.field.shape());
   if (auto* most = target ? std::get_if<TargetBytes>(&*target) : nullptr; most && input.rig) {
     most->bytes -= std::min(most->bytes - 1, most_rig_bytes(*input.rig));
   }
-  auto stream = target ? encode_to(input.field, params, *target, progress.callback())
-                       : encode(input.field, params, progress.callback());
+  auto stream = target ? encode_to(input.field, params, *target, on_progress, on_forecast)
+                       : encode(input.field, params, on_progress, on_forecast);
   if (!stream) throw encode_failure(options.input, stream.error());
   if (input.rig) stream->bytes = stream_with_rig(stream->bytes, *input.rig);
   return std::move(*stream);
@@ -89,14 +103,17 @@ EncodedStream encode_input(const Input& input, const EncodeOptions& options) {
 EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   const Input input = load(options);
   const LightField& field = input.field;
-  const std::string forecast =
-      encode_forecast(field, options.coding.params, target_of(options.coding, field.shape()));
-  if (!forecast.empty()) note(forecast);
+  if (seems_transposed(field)) {
+    note(
+        fmt::format("{}: views in a row move up and down; if rows and columns are exchanged, use "
+                    "--names with {{row}} and {{col}}, or --order",
+                    options.input.string()));
+  }
   EncodeOutcome outcome;
   ErrorSums promised;
   {
     const Clock clock;
-    const EncodedStream stream = encode_input(input, options);
+    const EncodedStream stream = encode_input(input, options, outcome);
     outcome.wall_seconds = clock.wall_seconds();
     outcome.cpu_seconds = clock.cpu_seconds();
     outcome.params = stream.params;
@@ -162,8 +179,8 @@ Quality lies in [0, 132] and counts in steps of a sample: for the same PSNR, eac
 less (main: 10), and the lowest is 16 lower. For --target-psnr the quality told is that of key images.
 Profile extended chooses by rate and distortion; without --references it finds the reference groups by
 trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
---preset trades encoding time for size. What takes more than ten seconds begins with a forecast, with
---memory and --shard after an eighth of the parts.
+--preset trades encoding time for size. Where it takes more than ten seconds, trials forecast time and
+size; without trials, an eighth of the images or parts the time.
 
 INPUT may be a quilt, NAME_qsCxRaA.png, or a .y4m video (hmlfc convert --help).
 
@@ -197,8 +214,9 @@ version and the views of its plan.
 
 JSON keys: bytes, bpp, ratio, rows, cols, width, height, profile, method, sections{header, index,
 motion, residual, top, other (the rig)}, seconds, psnr_rgb, psnr_y, max_abs_error, cpu_seconds; for
-profile main threshold_ref and threshold_pred, for profile extended quality and preset. seconds is the
-encoding time without reading, writing and checking.
+profile main threshold_ref and threshold_pred, for profile extended quality (unless lossless) and
+preset; depth; where there were trials, forecast{seconds, bytes}. seconds is the encoding time without
+reading, writing and checking.
 
 Examples:
   hmlfc encode views -o chess.hmlfc --target-psnr 40

@@ -2,22 +2,17 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 #include <hmlfc/encoder.hpp>
-#include <hmlfc/light_field.hpp>
 
 namespace hmlfc::cli {
 
-/// "Encoding 289 views of 1024 x 1024 pixels will take about 3 minutes", from the time that a small
-/// part of each view takes here, with as many threads. Empty where encoding is soon done or the
-/// views are too small for parts. For a `target`, several encodings are expected.
-std::string encode_forecast(const LightField& field, const EncodeParams& params,
-                            const std::optional<EncodeTarget>& target);
+/// "Encoding will take about 3 minutes and 1.2 MB", unless it is soon done.
+void note_forecast(const EncodeForecast& forecast);
 
-/// Notes the same of `parts` parts of a divided encoding, of which `done` took `seconds`, once:
-/// after an eighth of them.
-void note_forecast(size_t done, size_t parts, double seconds);
+/// Notes "Encoding 40 parts will take about 3 minutes", `what` being "parts", of which `done` took
+/// `seconds`: after an eighth of them, unless all are soon done.
+void note_forecast(size_t done, size_t all, double seconds, const char* what);
 
 }  // namespace hmlfc::cli

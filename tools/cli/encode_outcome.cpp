@@ -1,5 +1,6 @@
 #include "cli/encode_outcome.hpp"
 
+#include <cmath>
 #include <variant>
 
 #include <fmt/format.h>
@@ -26,6 +27,9 @@ void print_outcome_json(const EncodeOutcome& outcome) {
   } else {
     if (!outcome.params.lossless) json["quality"] = outcome.params.extended.quality;
     json["preset"] = preset_name(outcome.params.extended.preset);
+  }
+  if (const auto& forecast = outcome.forecast) {
+    json["forecast"] = {{"seconds", forecast->seconds}, {"bytes", std::round(forecast->bytes)}};
   }
   print_json(json);
 }

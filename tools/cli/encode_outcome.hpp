@@ -53,6 +53,7 @@ struct EncodeOutcome {
   std::string rig;  ///< rig_line()
   double wall_seconds = 0;
   double cpu_seconds = 0;  ///< of all threads of the process
+  std::optional<EncodeForecast> forecast = {};
 };
 
 /// Whether all views are in one file: a quilt or a video.

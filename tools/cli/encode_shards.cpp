@@ -190,7 +190,7 @@ ExitCode encode_shard(const EncodeOptions& options) {
   for (size_t part = first; part < last; ++part) {
     const ErrorSums before = encoder.error();
     encode_parts(encoder, options, part, part + 1);
-    note_forecast(part + 1 - first, last - first, loop.wall_seconds());
+    note_forecast(part + 1 - first, last - first, loop.wall_seconds(), "parts");
     const ErrorSums& error = encoder.error();
     Json entry = sum_json(encoder, part);
     entry["error"] = error_json({error.rgb_squares - before.rgb_squares,

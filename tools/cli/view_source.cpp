@@ -82,7 +82,7 @@ void check_in_grid(ViewPos view, uint32_t rows, uint32_t cols) {
 std::shared_ptr<const remote::OpenSource> open_source(const std::filesystem::path& path) {
   if (path == "-") {
     throw Failure(ExitCode::kUsage,
-                  "-: a stream is read here and there, standard input is not; name a file");
+                  "-: parts of a stream are read in any order, standard input in one; name a file");
   }
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
@@ -144,8 +144,8 @@ int StreamFile::stop_level(int levels) const {
   const int all = header().tree_height + 1;
   if (levels >= 1 && levels <= all) return all - levels;
   throw Failure(ExitCode::kUsage,
-                fmt::format("--levels {} is outside [1, {}]: {} has {} level{}; encode with a "
-                            "larger --height for more",
+                fmt::format("--levels {} is outside [1, {}]: {} has {} level{}; a larger "
+                            "--height of encode makes more, as far as the grid has images",
                             levels, all, path_.string(), all, all == 1 ? "" : "s"));
 }
 

@@ -73,7 +73,8 @@ struct EncodeParams {
   /// by trial.
   uint32_t ref_rows = 0;
   uint32_t ref_cols = 0;  ///< likewise
-  /// Size of Co and Cg. Open: main 4:2:0, extended chosen by its cost, lossless 4:4:4.
+  /// Size of Co and Cg. Open: main 4:2:0, extended and for a PSNR chosen by its cost, lossless
+  /// 4:4:4.
   std::optional<ChromaFormat> chroma = {};
   /// Keeps every sample, and with 4:4:4 every RGB value. Thresholds and quality have no meaning.
   bool lossless = false;
@@ -99,11 +100,25 @@ struct EncodeError {
 /// long as parameters are settled by trial. What it throws ends the encoding, and is thrown again.
 using Progress = std::function<void(uint64_t done, uint64_t total)>;
 
+/// What trials expect an encoding to take, here and now.
+struct EncodeForecast {
+  double seconds = 0;
+  double bytes = 0;
+};
+
+/// Called once, after trials: not in profile main, nor where nothing is left to them.
+using ForecastSink = std::function<void(const EncodeForecast& forecast)>;
+
 /// Encodes `light_field`. The result is the same bytes for any number of threads and any
 /// instruction set. Errors: a parameter outside its interval, out of memory.
 HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode(const LightField& light_field,
                                                              const EncodeParams& params,
-                                                             const Progress& progress = {});
+                                                             const Progress& progress = {},
+                                                             const ForecastSink& forecast = {});
+
+/// Whether views are predicted far better with rows taken for columns: files may have been taken in
+/// the wrong order. Throws std::bad_alloc.
+HMLFC_EXPORT bool seems_transposed(const LightField& light_field);
 
 /// The least PSNR over RGB.
 struct TargetPsnr {
@@ -130,6 +145,7 @@ using EncodeTarget = std::variant<TargetPsnr, TargetBytes>;
 HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode_to(const LightField& light_field,
                                                                 const EncodeParams& params,
                                                                 const EncodeTarget& target,
-                                                                const Progress& progress = {});
+                                                                const Progress& progress = {},
+                                                                const ForecastSink& forecast = {});
 
 }  // namespace hmlfc
