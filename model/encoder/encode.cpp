@@ -77,11 +77,14 @@ Encoded encode(const LightField& light_field, const EncodeParams& params, const 
                      });
 }
 
-bool seems_transposed(const LightField& light_field) {
+bool seems_transposed(const LightField& light_field, int threads) {
   EncodeParams params = with_defaults({.ref_rows = 1, .ref_cols = 1});
   params.chroma = ChromaFormat::k444;
   const auto header = header_for(light_field.shape(), params);
-  return header && seems_transposed(FieldViews(light_field), *header);
+  bool seems = false;
+  run_on_threads(threads,
+                 [&] { seems = header && seems_transposed(FieldViews(light_field), *header); });
+  return seems;
 }
 
 Encoded encode_to(const LightField& light_field, const EncodeParams& params,

@@ -33,9 +33,9 @@ double asked_at(int point) {
 // Between a and b, which are positive, on a logarithmic scale.
 double between(double a, double b, double share) { return a * std::pow(b / a, share); }
 
-// About the bytes that the first 1, 2, ... of kLayers layers would take as one. Each packet, one
-// for a layer of a resolution, begins with SOP and a header of a byte or more.
-std::vector<double> sizes_of_layers(const std::vector<uint8_t>& codestream) {
+// About the bits of each of `samples` that the first 1, 2, ... of kLayers layers would take as one.
+// Each packet, one for a layer of a resolution, begins with SOP and a header of a byte or more.
+std::vector<double> bits_of_layers(const std::vector<uint8_t>& codestream, size_t samples) {
   constexpr std::array<uint8_t, 4> kSodSop{0xFF, 0x93, 0xFF, 0x91};
   constexpr size_t kSopBytes = 6;
   constexpr size_t kEocBytes = 2;
@@ -48,12 +48,12 @@ std::vector<double> sizes_of_layers(const std::vector<uint8_t>& codestream) {
   }
   packets.back() -= kEocBytes;
   const size_t resolutions = packets.size() / kLayers;
-  std::vector<double> sizes;
+  std::vector<double> bits;
   for (size_t n = resolutions; n < packets.size(); n += resolutions) {
-    sizes.push_back(
-        kAsOne * static_cast<double>(packets[n] - n * (kSopBytes + 1) + resolutions + kEocBytes));
+    const size_t bytes = packets[n] - n * (kSopBytes + 1) + resolutions + kEocBytes;
+    bits.push_back(8 * kAsOne * static_cast<double>(bytes) / static_cast<double>(samples));
   }
-  return sizes;
+  return bits;
 }
 
 }  // namespace
@@ -103,18 +103,12 @@ const KeyCurve::Coded& KeyCurve::coded(int point) const {
   options.sop = true;
   auto codestream = encode_jpeg2000(plane_, precision_, options);
   if (!codestream) throw std::bad_alloc();
-  coded.sizes = sizes_of_layers(*codestream);
+  coded.bits = bits_of_layers(*codestream, plane_.samples.size());
   coded.codestream = std::move(*codestream);
   return coded;
 }
 
-double KeyCurve::bits_at(int point) const {
-  return bits_a_sample(coded(point).sizes[layer_of(point)]);
-}
-
-double KeyCurve::bits_a_sample(double bytes) const {
-  return 8 * bytes / static_cast<double>(plane_.samples.size());
-}
+double KeyCurve::bits_at(int point) const { return coded(point).bits[layer_of(point)]; }
 
 const KeyCurve::Measured& KeyCurve::measured(int point) const {
   if (const auto found = measured_.find(point); found != measured_.end()) return found->second;
@@ -127,7 +121,8 @@ const KeyCurve::Measured& KeyCurve::measured(int point) const {
     if (point >= 2) return measured_[point] = measured(point - 2);
     CodedPlane lossless = code_key_plane(plane_, precision_, 0);
     key.error = 0;
-    key.bits = bits_a_sample(static_cast<double>(lossless.codestream.size()));
+    key.bits = 8 * static_cast<double>(lossless.codestream.size()) /
+               static_cast<double>(plane_.samples.size());
     decoded = std::move(lossless.decoded);
   }
   return measured_[point] = {key, measure_(*decoded)};

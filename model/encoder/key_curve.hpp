@@ -68,7 +68,7 @@ class KeyCurve {
 
   struct Coded {
     std::vector<uint8_t> codestream;
-    std::vector<double> sizes;  // of its first layers, in bytes
+    std::vector<double> bits;  // a sample, of its first layers
   };
 
   struct Priced {
@@ -80,7 +80,6 @@ class KeyCurve {
   // The codestream that codes `point` and errors near to it.
   const Coded& coded(int point) const;
   double bits_at(int point) const;
-  double bits_a_sample(double bytes) const;
   const Measured& measured(int point) const;
 
   SamplePlane plane_;

@@ -103,7 +103,7 @@ EncodedStream encode_input(const Input& input, const EncodeOptions& options,
 EncodeOutcome encode_and_measure(const EncodeOptions& options) {
   const Input input = load(options);
   const LightField& field = input.field;
-  if (seems_transposed(field)) {
+  if (seems_transposed(field, options.coding.params.threads)) {
     note(
         fmt::format("{}: views in a row move up and down; if rows and columns are exchanged, use "
                     "--names with {{row}} and {{col}}, or --order",

@@ -102,8 +102,8 @@ using Progress = std::function<void(uint64_t done, uint64_t total)>;
 
 /// What trials expect an encoding to take, here and now.
 struct EncodeForecast {
-  double seconds = 0;
-  double bytes = 0;
+  double seconds = 0;  ///< from the end of trials on
+  double bytes = 0;    ///< of the stream without a rig
 };
 
 /// Called once, after trials: not in profile main, nor where nothing is left to them.
@@ -117,8 +117,8 @@ HMLFC_EXPORT tl::expected<EncodedStream, EncodeError> encode(const LightField& l
                                                              const ForecastSink& forecast = {});
 
 /// Whether views are predicted far better with rows taken for columns: files may have been taken in
-/// the wrong order. Throws std::bad_alloc.
-HMLFC_EXPORT bool seems_transposed(const LightField& light_field);
+/// the wrong order. `threads` as in EncodeParams. Throws std::bad_alloc.
+HMLFC_EXPORT bool seems_transposed(const LightField& light_field, int threads = 0);
 
 /// The least PSNR over RGB.
 struct TargetPsnr {
