@@ -13,7 +13,7 @@ namespace {
 // The errors that may be measured: the least, and the number of those that are each the square root
 // of two times the one before, for samples of 8 bits. A bit more has four times the error.
 constexpr double kLeastError = 1.0 / 64;
-constexpr float kErrorDb = 1.5051F;
+constexpr float kErrorDb = 1.5051F;  // the square root of two
 constexpr int kErrorCount = 29;
 constexpr double kFinestGuess = 12;
 constexpr int kErrorsOfBit = 4;
@@ -81,16 +81,13 @@ CodedPlane code_key_plane(const SamplePlane& plane, SamplePrecision precision, d
   options.mean_squared_error = error;
   auto codestream = encode_jpeg2000(plane, precision, options);
   if (!codestream) throw std::bad_alloc();
-  if (error == 0) return {std::move(*codestream), plane, 0};
+  if (error == 0) return {std::move(*codestream), plane};
   auto decoded = decode_jpeg2000(*codestream, plane.width, plane.height);
   if (!decoded) throw std::bad_alloc();
   if (mean_squared_error(plane, *decoded) > kMostExcess * error) {
-    const bool least = error <= kLeastError;
-    CodedPlane finer = code_key_plane(plane, precision, least ? 0 : error / kMostExcess);
-    if (least) finer.asked = error;
-    return finer;
+    return code_key_plane(plane, precision, error <= kLeastError ? 0 : error / kMostExcess);
   }
-  return {std::move(*codestream), std::move(*decoded), error};
+  return {std::move(*codestream), std::move(*decoded)};
 }
 
 const KeyCurve::Coded& KeyCurve::coded(int point) const {

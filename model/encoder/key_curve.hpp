@@ -15,7 +15,6 @@ namespace hmlfc {
 struct CodedPlane {
   std::vector<uint8_t> codestream;
   SamplePlane decoded;
-  double asked = 0;  ///< the error that was asked of OpenJPEG
 };
 
 /// Codes `plane` with a mean squared error of about `error`, which may be 0; with less where

@@ -231,7 +231,8 @@ void search_coding(const LightFieldShape& shape, const TrialParts& parts, const 
     const QualitySurplus now{found.extended.quality, search.surplus_db(goal)};
     if (last) settled.db_per_quality = db_per_quality(*last, now);
     (now.db < 0 ? low : high) = now.quality;
-    double& next = found.extended.quality = next_quality(now, settled.db_per_quality, shape.depth);
+    double& next = found.extended.quality;
+    next = next_quality(now, settled.db_per_quality, shape.depth);
     if (next <= low || next >= high) next = std::round((low + high) * 4) / 8;
     settled.forecast->bytes *= EncodeGoal::bytes_for(next - now.quality);
     if (std::abs(next - now.quality) < kNextQuality) break;

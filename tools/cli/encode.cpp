@@ -179,8 +179,8 @@ Quality lies in [0, 132] and counts in steps of a sample: for the same PSNR, eac
 less (main: 10), and the lowest is 16 lower. For --target-psnr the quality told is that of key images.
 Profile extended chooses by rate and distortion; without --references it finds the reference groups by
 trial, without --chroma the chroma format. Its default --height is 0: key views and motion only.
---preset trades encoding time for size. Where it takes more than ten seconds, trials forecast time and
-size; without trials, an eighth of the images or parts the time.
+--preset trades encoding time for size. What takes more than ten seconds has a forecast of time and size
+after the trials; without trials one of time, after an eighth of the images or parts.
 
 INPUT may be a quilt, NAME_qsCxRaA.png, or a .y4m video (hmlfc convert --help).
 
