@@ -37,29 +37,30 @@ Json difference_json(const std::optional<Difference>& difference) {
           {"b", difference->b}};
 }
 
-void print_comparison_json(const Comparison& comparison) {
-  print_json({{"psnr_rgb", psnr_json(comparison.quality.psnr_rgb)},
-              {"psnr_y", psnr_json(comparison.quality.psnr_y)},
-              {"psnr_rgb_min", psnr_json(comparison.psnr_rgb_min)},
-              {"max_abs_error", comparison.quality.max_abs_error},
-              {"identical", comparison.identical()},
-              {"first_difference", difference_json(comparison.first_difference)}});
+Json comparison_json(const Comparison& comparison) {
+  return {{"psnr_rgb", psnr_json(comparison.quality.psnr_rgb)},
+          {"psnr_y", psnr_json(comparison.quality.psnr_y)},
+          {"psnr_rgb_min", psnr_json(comparison.psnr_rgb_min)},
+          {"max_abs_error", comparison.quality.max_abs_error},
+          {"identical", comparison.identical()},
+          {"first_difference", difference_json(comparison.first_difference)}};
 }
 
-void print_comparison_text(const Comparison& comparison, const LightFieldShape& shape) {
-  print(fmt::format("Light fields      {}\n", describe(shape)));
-  if (comparison.identical()) return print("Identical\n");
+std::string comparison_text(const Comparison& comparison, const LightFieldShape& shape) {
+  const std::string head = fmt::format("Light fields      {}\n", describe(shape));
+  if (comparison.identical()) return head + "Identical\n";
   const Difference& first = *comparison.first_difference;
-  print(
-      fmt::format("PSNR RGB          {}\n"
-                  "PSNR Y            {}\n"
-                  "PSNR RGB, worst   {}, view {},{}\n"
-                  "Largest error     {}\n"
-                  "First difference  view {},{} x {} y {} channel {}: {} versus {}\n",
-                  psnr_text(comparison.quality.psnr_rgb), psnr_text(comparison.quality.psnr_y),
-                  psnr_text(comparison.psnr_rgb_min), comparison.worst_view.row,
-                  comparison.worst_view.col, comparison.quality.max_abs_error, first.view.row,
-                  first.view.col, first.x, first.y, channel_name(first.channel), first.a, first.b));
+  return head + fmt::format(
+                    "PSNR RGB          {}\n"
+                    "PSNR Y            {}\n"
+                    "PSNR RGB, worst   {}, view {},{}\n"
+                    "Largest error     {}\n"
+                    "First difference  view {},{} x {} y {} channel {}: {} versus {}\n",
+                    psnr_text(comparison.quality.psnr_rgb), psnr_text(comparison.quality.psnr_y),
+                    psnr_text(comparison.psnr_rgb_min), comparison.worst_view.row,
+                    comparison.worst_view.col, comparison.quality.max_abs_error, first.view.row,
+                    first.view.col, first.x, first.y, channel_name(first.channel), first.a,
+                    first.b);
 }
 
 ExitCode run_compare(const CompareOptions& options) {
@@ -81,11 +82,7 @@ ExitCode run_compare(const CompareOptions& options) {
   terminal::ProgressBar progress("Comparing", "views");
   const Comparison comparison = compare(*a, *b, options.part, progress.callback());
   progress.clear();
-  if (options.json) {
-    print_comparison_json(comparison);
-  } else {
-    print_comparison_text(comparison, a->shape());
-  }
+  print_result(options.json, comparison_json(comparison), comparison_text(comparison, a->shape()));
   return comparison.identical() ? ExitCode::kDone : ExitCode::kDifferent;
 }
 

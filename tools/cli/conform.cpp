@@ -153,14 +153,11 @@ ExitCode run_verify(ConformOptions options) {
   check_whole(options, "--verify");
   options.frames = claimed.at("suite").value("part", "") == "frames";
   const auto difference = verify_again(claimed, options);
-  if (options.json) {
-    print_json({{"verified", !difference}, {"difference", difference.value_or("")}});
-  } else if (difference) {
-    print(fmt::format("{}: differs: {}\n", options.verify.string(), *difference));
-  } else {
-    print(fmt::format("{}: verified, {} results\n", options.verify.string(),
-                      claimed.at("results").size()));
-  }
+  const std::string told = difference
+                               ? "differs: " + *difference
+                               : fmt::format("verified, {} results", claimed.at("results").size());
+  print_result(options.json, {{"verified", !difference}, {"difference", difference.value_or("")}},
+               fmt::format("{}: {}\n", options.verify.string(), told));
   return difference ? ExitCode::kDifferent : ExitCode::kDone;
 }
 

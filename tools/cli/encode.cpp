@@ -197,10 +197,10 @@ from 0. :STEP may be left out (1), and one number is one row or column: --views 
 hold the whole grid, but only the files of this part are read.
 
 A stream of profile extended may hold where the cameras stand, its rig, on which no sample depends.
---rig takes JSON as `hmlfc info --rig` prints it, the transforms.json of NeRF and instant-ngp, in which
-the names in frames[].file_path are those of views, or the parameters.cfg of the HCI 4D Light Field
-Benchmark. Without --rig the folder's rig.json is taken, else its parameters.cfg, else the positions
-in names out_RR_CC_Y_X_.
+--rig takes JSON as `hmlfc info --rig` prints it, for the whole grid or for --views, the transforms.json
+of NeRF and instant-ngp, in which the names in frames[].file_path are those of views, or the
+parameters.cfg of the HCI 4D Light Field Benchmark. Without --rig the folder's rig.json is taken, else
+its parameters.cfg, else the positions in names out_RR_CC_Y_X_.
 
 After encoding, the file is decoded and compared with the views: the PSNR is that of the decoded file,
 from the mean squared error over all views; "inf" (a string in JSON) means no difference. If a target

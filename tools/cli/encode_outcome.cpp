@@ -13,7 +13,7 @@
 namespace hmlfc::cli {
 namespace {
 
-void print_outcome_json(const EncodeOutcome& outcome) {
+Json outcome_json(const EncodeOutcome& outcome) {
   Json json = report_json(outcome.stream);
   json["depth"] = outcome.stream.header.depth;  // of what is compared below
   json["seconds"] = outcome.wall_seconds;
@@ -31,26 +31,26 @@ void print_outcome_json(const EncodeOutcome& outcome) {
   if (const auto& forecast = outcome.forecast) {
     json["forecast"] = {{"seconds", forecast->seconds}, {"bytes", std::round(forecast->bytes)}};
   }
-  print_json(json);
+  return json;
 }
 
-void print_outcome_text(const EncodeOptions& options, const EncodeOutcome& outcome) {
+std::string outcome_text(const EncodeOptions& options, const EncodeOutcome& outcome) {
   const StreamHeader& header = outcome.stream.header;
-  print(fmt::format("File          {}\nLight field   {}\nCoding        {}\n{}{}",
-                    options.output.string(), describe(shape_of(header)), describe_coding(header),
-                    size_text(outcome.stream), outcome.rig));
-  print(fmt::format("Quality       PSNR RGB {}, Y {}, largest error {}\n",
-                    psnr_text(outcome.quality.psnr_rgb), psnr_text(outcome.quality.psnr_y),
-                    outcome.quality.max_abs_error));
+  std::string text = fmt::format(
+      "File          {}\nLight field   {}\nCoding        {}\n{}{}"
+      "Quality       PSNR RGB {}, Y {}, largest error {}\n",
+      options.output.string(), describe(shape_of(header)), describe_coding(header),
+      size_text(outcome.stream), outcome.rig, psnr_text(outcome.quality.psnr_rgb),
+      psnr_text(outcome.quality.psnr_y), outcome.quality.max_abs_error);
   if (outcome.params.profile == Profile::kMain) {
-    print(fmt::format("Thresholds    {} reference, {} predictive images\n",
-                      outcome.params.main.threshold_ref, outcome.params.main.threshold_pred));
+    text += fmt::format("Thresholds    {} reference, {} predictive images\n",
+                        outcome.params.main.threshold_ref, outcome.params.main.threshold_pred);
   } else if (!outcome.params.lossless) {
-    print(fmt::format("Coded at      quality {}, preset {}\n", outcome.params.extended.quality,
-                      preset_name(outcome.params.extended.preset)));
+    text += fmt::format("Coded at      quality {}, preset {}\n", outcome.params.extended.quality,
+                        preset_name(outcome.params.extended.preset));
   }
-  print(fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.wall_seconds,
-                    outcome.cpu_seconds));
+  return text + fmt::format("Encoding      {:.2f} s, CPU {:.2f} s\n", outcome.wall_seconds,
+                            outcome.cpu_seconds);
 }
 
 // Says that and why --target-psnr was not reached.
@@ -128,11 +128,7 @@ void check_promise(const ErrorSums& promised, const ErrorSums& measured, const s
 }
 
 ExitCode tell_outcome(const EncodeOptions& options, const EncodeOutcome& outcome) {
-  if (options.json) {
-    print_outcome_json(outcome);
-  } else {
-    print_outcome_text(options, outcome);
-  }
+  print_result(options.json, outcome_json(outcome), outcome_text(options, outcome));
   const int asked = options.coding.params.tree_height.value_or(0);
   if (const int height = outcome.stream.header.tree_height; asked > height) {
     note(fmt::format("--height {}: beyond {} no images are left to join", asked, height));

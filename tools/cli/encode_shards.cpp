@@ -165,12 +165,9 @@ ExitCode write_plan(const EncodeOptions& options) {
       io::write_file(options.target, {reinterpret_cast<const uint8_t*>(text.data()), text.size()}),
       ExitCode::kOutput);
   const size_t parts = encoder.parts().count();
-  if (options.json) {
-    print_json({{"parts", parts}});
-  } else {
-    print(
-        fmt::format("{}: {} parts, for at most as many shards\n", options.output.string(), parts));
-  }
+  print_result(options.json, {{"parts", parts}},
+               fmt::format("{}: {} part{}, for at most as many shards\n", options.output.string(),
+                           parts, parts == 1 ? "" : "s"));
   return ExitCode::kDone;
 }
 
@@ -205,12 +202,10 @@ ExitCode encode_shard(const EncodeOptions& options) {
   write({reinterpret_cast<const uint8_t*>(text.data()), text.size()});
   for (size_t part = first; part < last; ++part) encoder.save_part(part, write);
   value_or_throw(file.commit(), ExitCode::kOutput);
-  if (options.json) {
-    print_json({{"parts", last - first}, {"of", parts}, {"cpu_seconds", clock.cpu_seconds()}});
-  } else {
-    print(fmt::format("{}: {} of {} parts, CPU {:.2f} s\n", options.output.string(), last - first,
-                      parts, clock.cpu_seconds()));
-  }
+  const double seconds = clock.cpu_seconds();
+  print_result(options.json, {{"parts", last - first}, {"of", parts}, {"cpu_seconds", seconds}},
+               fmt::format("{}: {} of {} parts, CPU {:.2f} s\n", options.output.string(),
+                           last - first, parts, seconds));
   return ExitCode::kDone;
 }
 

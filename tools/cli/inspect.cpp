@@ -21,11 +21,7 @@ ExitCode run_inspect(const InspectOptions& options) {
   const StreamFile file(options.file);
   BlockReport report;
   file.value(report_on_block(file, options.request, report));
-  if (options.json) {
-    print_json(to_json(report));
-  } else {
-    print(to_text(report));
-  }
+  print_result(options.json, to_json(report), to_text(report));
   return ExitCode::kDone;
 }
 

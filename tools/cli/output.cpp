@@ -79,6 +79,10 @@ void write_standard_output(std::span<const uint8_t> bytes) {
 
 void print_json(const Json& json) { print(io::json_text(json, 2) + "\n"); }
 
+void print_result(bool as_json, const Json& json, std::string_view text) {
+  as_json ? print_json(json) : print(text);
+}
+
 void flush_output() {
   if (std::fflush(stdout) != 0) throw_output_failure();
 }

@@ -72,6 +72,9 @@ void write_standard_output(std::span<const uint8_t> bytes);
 /// Writes `json` on indented lines.
 void print_json(const Json& json);
 
+/// Writes `json` where --json asks for it, `text` elsewhere.
+void print_result(bool as_json, const Json& json, std::string_view text);
+
 /// Flushes standard output. Failure as print().
 void flush_output();
 

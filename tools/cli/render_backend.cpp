@@ -103,24 +103,20 @@ void print_quality_sweep(const StreamFile& file, std::vector<Camera> cameras,
   terminal::ProgressBar progress("Rendering", "settings");
   const auto points = sweep_quality(file, std::move(cameras), choice, progress);
   progress.clear();
-  if (json) {
-    Json rows = Json::array();
-    for (const SweepPoint& point : points) {
-      rows.push_back({{"filter", filter_name(point.filter)},
-                      {"levels", point.levels},
-                      {"cache", point.cached},
-                      {"seconds", point.seconds},
-                      {"psnr_rgb", psnr_json(point.psnr)}});
-    }
-    return print_json(rows);
-  }
-  print(
+  Json rows = Json::array();
+  std::string text =
       "PSNR against frames computed in real numbers with filter quadrilinear and all levels\n\n"
-      "| filter | levels | cache | ms per frame | PSNR RGB |\n|---|---|---|---|---|\n");
+      "| filter | levels | cache | ms per frame | PSNR RGB |\n|---|---|---|---|---|\n";
   for (const SweepPoint& point : points) {
-    print(fmt::format("| {} | {} | {} | {:.2f} | {} |\n", filter_name(point.filter), point.levels,
-                      point.cached ? "yes" : "no", point.seconds * 1e3, psnr_text(point.psnr)));
+    rows.push_back({{"filter", filter_name(point.filter)},
+                    {"levels", point.levels},
+                    {"cache", point.cached},
+                    {"seconds", point.seconds},
+                    {"psnr_rgb", psnr_json(point.psnr)}});
+    text += fmt::format("| {} | {} | {} | {:.2f} | {} |\n", filter_name(point.filter), point.levels,
+                        point.cached ? "yes" : "no", point.seconds * 1e3, psnr_text(point.psnr));
   }
+  print_result(json, rows, text);
 }
 
 }  // namespace hmlfc::cli

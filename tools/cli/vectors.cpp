@@ -80,15 +80,12 @@ ExitCode run_list(const SuiteOptions& options) {
                         profile_name(vector.profile), vector.level, grouped(vector.input.bytes),
                         vector.milestone, expectation_text(vector.expect));
   }
-  if (options.json) {
-    print_json(rows);
-  } else {
-    const char* others = count != 0       ? ""
-                         : options.frames ? ": see also without --frames"
-                                          : ": see also --frames, for renderers";
-    print(fmt::format("{}{} of {} vectors, version {}{}\n", text, count, manifest.vectors.size(),
-                      manifest.vectors_version, others));
-  }
+  const char* others = count != 0       ? ""
+                       : options.frames ? ": see also without --frames"
+                                        : ": see also --frames, for renderers";
+  text += fmt::format("{} of {} vectors, version {}{}\n", count, manifest.vectors.size(),
+                      manifest.vectors_version, others);
+  print_result(options.json, rows, text);
   return ExitCode::kDone;
 }
 
@@ -103,11 +100,7 @@ ExitCode run_milestones(const SuiteOptions& options) {
     rows.push_back({{"name", row.name}, {"vectors", count}, {"claim", row.claim}});
     text += fmt::format("{:16} {:>4}  {}\n", row.name, count, row.claim);
   }
-  if (options.json) {
-    print_json(rows);
-  } else {
-    print(text);
-  }
+  print_result(options.json, rows, text);
   return ExitCode::kDone;
 }
 

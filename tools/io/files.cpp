@@ -40,7 +40,7 @@ fs::path file_named(const fs::path& folder, std::string_view name) {
 fs::path partial_name(const fs::path& target) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::random_device random;
-  fs::path name = target;
+  fs::path name = target.parent_path() / target.filename().string().substr(0, 230);
   name += ".partial-";
   for (int i = 0; i < 12; ++i) name += kDigits[random() % 16];
   return name;
@@ -67,6 +67,9 @@ IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
   if (!target.has_filename()) return file_error(target, "not a file name; give the output a name");
   std::error_code failure;
   const fs::file_status status = fs::status(target, failure);
+  if (status.type() == fs::file_type::none) {
+    return system_error(target, "cannot be used; choose another output name", failure.value());
+  }
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     return file_error(target, "exists and is not a regular file; choose another output name");
   }
@@ -78,7 +81,6 @@ IoResult<AtomicFile> AtomicFile::create(const fs::path& target) {
     resolved = fs::canonical(target, failure);
     if (failure) return system_error(target, "cannot follow the link", failure.value());
   }
-
   if (fs::exists(status) && ::access(resolved.c_str(), W_OK) != 0) {
     return system_error(target, "cannot be replaced; choose another output name", errno);
   }

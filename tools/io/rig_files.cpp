@@ -1,6 +1,8 @@
 #include "io/rig_files.hpp"
 
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "io/files.hpp"
 #include "io/hci_parameters.hpp"
@@ -16,6 +18,14 @@ IoResult<Rig> checked(const std::filesystem::path& file, const Rig& rig, const V
   auto read = parse_rig(bytes_of(rig_text(rig)), views.files.size());
   if (!read) return file_error(file, read.error());
   return std::move(*read);
+}
+
+// Leaves those entries of a whole grid that are of `views`; one for all stays.
+template <class Entry>
+void choose(const ViewList& views, std::vector<Entry>& entries) {
+  if (entries.size() <= 1) return;
+  const auto all = std::exchange(entries, {});
+  for (const size_t number : views.numbers) entries.push_back(all[number]);
 }
 
 // The sum over all views of coordinate * (row or column less the middle one): above 0 where the
@@ -48,8 +58,16 @@ IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
   const auto json = parse_json<nlohmann::json>(mapped->bytes(), kTransformsLimits);
   if (!json) return file_error(file, json.error());
   if (!json->is_object() || !json->contains("frames")) {
-    auto rig = parse_rig(mapped->bytes(), views.files.size());
+    const auto positions = json->find("positions");
+    const size_t entries = positions == json->end() ? 0 : positions->size();
+    const bool of_grid = entries > 0 && entries == views.whole;
+    auto rig = parse_rig(mapped->bytes(), of_grid ? entries : views.files.size());
     if (!rig) return file_error(file, rig.error());
+    if (of_grid) {
+      choose(views, rig->positions);
+      choose(views, rig->rotations);
+      choose(views, rig->intrinsics);
+    }
     return std::move(*rig);
   }
   CameraPictures pictures{{}, shape.width, shape.height};

@@ -14,9 +14,9 @@
 
 namespace hmlfc::io {
 
-/// The rig of `views`, of the size in `shape`, in `file`: a rig in JSON as in a stream (RIG-2), a
-/// transforms.json (rig_of_transforms) or, named *.cfg, a parameters.cfg (rig_of_hci). Errors name
-/// file and member.
+/// The rig of `views`, of the size in `shape`, in `file`: a rig in JSON as in a stream (RIG-2), of
+/// these views or of all of the grid they are a part of, a transforms.json (rig_of_transforms) or,
+/// named *.cfg, a parameters.cfg (rig_of_hci). Errors name file and member.
 IoResult<Rig> read_rig(const std::filesystem::path& file, const ViewList& views,
                        const LightFieldShape& shape);
 

@@ -66,7 +66,8 @@ IoResult<ViewList> views_of(const fs::path& folder, const ViewNaming& naming) {
   return read_names(folder, naming, std::move(pictures));
 }
 
-// "; a.bmp is of a kind that is not read; ...": the first file in `folder` that may hold views.
+// "; a.bmp is of a kind that is not read; ...": the first file that may hold views, where `folder`
+// has hardly any pictures.
 std::string other_files(const fs::path& folder) {
   constexpr std::string_view kPictures =
       " .arw .avif .bmp .cr2 .dng .exr .gif .hdr .heic .jp2 .jxl .lfp .lfr .tga ";
@@ -86,10 +87,12 @@ std::string other_files(const fs::path& folder) {
     return is_other_video(file) ? "is a video; ffmpeg -i VIDEO OUT.y4m makes one to read" : "";
   };
   fs::path first;
+  size_t pictures = 0;
   std::error_code failure;
   for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
        it.increment(failure)) {
     const fs::path name = it->path().filename();
+    if (is_picture_name(name) && ++pictures > kFewPictures) return "";
     if (!advice(name).empty() && (first.empty() || name < first)) first = name;
   }
   return first.empty() ? "" : fmt::format("; {} {}", first.string(), advice(first));
@@ -171,12 +174,14 @@ IoResult<ViewList> part_of(const std::filesystem::path& folder, const ViewList& 
   if (!excess) excess = describe_excess(part.cols, views.cols, "column");
   if (excess) return file_error(folder, "--views asks for " + *excess);
 
-  ViewList result{length(part.rows), length(part.cols), {}, views.folder, {}};
+  ViewList result{length(part.rows), length(part.cols), {}, views.folder};
+  result.whole = views.files.size();
   for (uint32_t i = 0; i < result.rows; ++i) {
     const size_t row = part.rows.first + size_t{i} * part.rows.step;
     for (uint32_t j = 0; j < result.cols; ++j) {
       const size_t col = part.cols.first + size_t{j} * part.cols.step;
-      result.files.push_back(views.files[row * views.cols + col]);
+      result.numbers.push_back(row * views.cols + col);
+      result.files.push_back(views.files[result.numbers.back()]);
     }
   }
   return result;

@@ -18,6 +18,8 @@ struct ViewList {
   std::vector<std::filesystem::path> files = {};  ///< rows * cols paths, row-major
   std::filesystem::path folder = {};              ///< in which they were looked for
   std::vector<std::string> notes = {};            ///< for the user: how names were understood
+  size_t whole = 0;                               ///< views of the grid of which these are a part
+  std::vector<size_t> numbers = {};               ///< their numbers in it, row-major
 };
 
 /// What the user says of the names of views, instead of what list_views() would find.
@@ -56,16 +58,12 @@ struct IndexRange {
   uint32_t first = 0;  ///< [0, last]
   uint32_t last = 0;
   uint32_t step = 1;  ///< at least 1
-
-  friend bool operator==(const IndexRange&, const IndexRange&) = default;
 };
 
 /// Rows and columns of a grid: the views where they cross.
 struct ViewPart {
   IndexRange rows;
   IndexRange cols;
-
-  friend bool operator==(const ViewPart&, const ViewPart&) = default;
 };
 
 /// The views of `part` among `views`, which list_views() found in `folder`; rows and columns are

@@ -21,6 +21,7 @@
 #include "conform/report.hpp"
 #include "conform/work_folder.hpp"
 #include "io/files.hpp"
+#include "io/folder_lock.hpp"
 #include "io/image_files.hpp"
 #include "syntax/geometry.hpp"
 #include "terminal/progress_bar.hpp"
@@ -129,6 +130,7 @@ class Publication {
     const fs::path& folder = options_.output;
     make_output_folder(folder, {"index.html", "still.png", "loop.png"},
                        {kSign, options_.force, {options_.file}});
+    const auto lock = value_or_throw(io::FolderLock::take(folder), ExitCode::kUsage);
     for (const auto& entry : fs::directory_iterator(folder)) {  // of runs that were interrupted
       if (entry.path().filename().string().starts_with(kUnfinished))
         conform::remove_tree(entry.path());
