@@ -79,7 +79,7 @@ class Cluster(unittest.TestCase):
     def test_a_task_that_stays_lost_is_named(self):
         self.submit("gone", "encode", self.folder / "nothing.json", self.folder / "none.hmlfc", "--retries", "0", tasks=2)
         self.assertEqual(self.summary("gone")["failed"], [1, 2])
-        self.submit("lost", "fuzz", "--dut", "sleep 60 {input} {output}", "--count", "1", "--retries", "0", tasks=1)
+        self.submit("lost", "fuzz", "--dut", "tail -f {input} {output}", "--count", "1", "--retries", "0", tasks=1)
         self.kill_task("lost", 1)
         summary = self.summary("lost")
         self.assertEqual((summary["lost"], summary["status"]), ([1], 5))
