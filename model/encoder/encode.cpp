@@ -106,7 +106,8 @@ Encoded encode_to(const LightField& light_field, const EncodeParams& params,
       QualityTrim trim(from.extended.quality, shape, goal.psnr()->db, goal.tolerance_db(),
                        settled.db_per_quality);
       EncodedStream trimmed = encode_once(session, from, false, progress, &trim);
-      if (goal.is_near(goal.surplus_db(trimmed, shape))) return trimmed;
+      const double surplus = goal.surplus_db(trimmed, shape);
+      if (goal.is_near(surplus) || (trim.at_jump() && goal.is_met(surplus))) return trimmed;
       from = trimmed.params;
     }
     return search_target(shape, from, goal, [&](const EncodeParams& tried) {

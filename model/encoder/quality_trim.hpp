@@ -38,6 +38,9 @@ class QualityTrim {
   /// Of the next round, near that of key images.
   double quality() const { return quality_; }
 
+  /// Whether key images of hardly less quality are too bad, and these too good.
+  bool at_jump() const;
+
  private:
   void learn(std::span<const uint64_t> squares);
   bool begins_again();
@@ -52,12 +55,16 @@ class QualityTrim {
   double quality_;
   size_t coded_ = 0;
   double squares_ = 0;
-  // The mean of what rounds say: the logarithm of a view's squared errors at quality 0.
+  // The means of what rounds say: the logarithm of a view's squared errors, and at which quality.
   double weight_ = 0;
   double log_error_ = 0;
-  double spread_ = 0;  // of the views of the last round, its standard error to its mean
+  double mean_quality_ = 0;
+  double log_of_quality_;  // what a step of quality takes from the logarithm
+  double spread_ = 0;      // of the views of the last round, its standard error to its mean
   int begins_ = 0;
-  std::optional<QualitySurplus> last_;  // with another quality of key images
+  std::optional<QualitySurplus> last_;   // with another quality of key images
+  std::optional<QualitySurplus> below_;  // the highest that is too low
+  std::optional<QualitySurplus> above_;  // the lowest that is not
 };
 
 }  // namespace hmlfc

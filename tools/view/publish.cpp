@@ -21,7 +21,6 @@
 #include "conform/report.hpp"
 #include "conform/work_folder.hpp"
 #include "io/files.hpp"
-#include "io/folder_lock.hpp"
 #include "io/image_files.hpp"
 #include "syntax/geometry.hpp"
 #include "terminal/progress_bar.hpp"
@@ -130,7 +129,7 @@ class Publication {
     const fs::path& folder = options_.output;
     make_output_folder(folder, {"index.html", "still.png", "loop.png"},
                        {kSign, options_.force, {options_.file}});
-    const auto lock = value_or_throw(io::FolderLock::take(folder), ExitCode::kUsage);
+    const auto lock = take_output_folder(folder);
     for (const auto& entry : fs::directory_iterator(folder)) {  // of runs that were interrupted
       if (entry.path().filename().string().starts_with(kUnfinished))
         conform::remove_tree(entry.path());
@@ -142,8 +141,7 @@ class Publication {
     std::error_code ignored;
     if (!fs::equivalent(options_.file, folder / kStream, ignored)) copy(options_.file, kStream);
     // A folder whose page this command wrote may be replaced, all of it.
-    const bool own = fs::exists(folder / "index.html");
-    if (!own) check_replaceable(files(folder), {"", options_.force});
+    if (!fs::exists(folder / "index.html")) check_replaceable(files(folder), {"", options_.force});
     write_pictures();
     write_page();
     put_in_place();
